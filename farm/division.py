@@ -24,7 +24,7 @@ def seconds_per_frame(samples, description, probe_seconds):
     if description["samples"] == 0:
         raise PlanError(f"no sample was rendered in {probe_seconds:g} s; ask for a longer --probe-time")
     width, height = map(int, description["size"].split("x"))
-    rate = description["samples"] / max(description["work"]["seconds"]["trace"], 1e-3)
+    rate = description["samples"] / max(description["work"]["phaseSeconds"]["trace"], 1e-3)
     print(f"{rate:.4g} samples per second: the first frame of {width}x{height} pixels and {samples[0]} samples per pixel "
           f"takes {width * height * samples[0] / rate / 60:.1f} min on one node")
     return [width * height * count / rate for count in samples]

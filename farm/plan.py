@@ -119,7 +119,7 @@ def covers_shard(plan: Plan, frame: int, shard: int, description):
     if description is None:
         return False
     first, end = plan.range_of(frame, shard)
-    return f"samples {first}:{end} of crop {description['crop']}" in description["covered"]
+    return f"samples {first}:{end} of crop {description['window']}" in description["covered"]
 
 
 def is_shard_done(plan: Plan, job: Path, frame: int, shard: int):

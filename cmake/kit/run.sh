@@ -137,7 +137,7 @@ system=$(sed -n 's/^PRETTY_NAME="\{0,1\}\([^"]*\)"\{0,1\}$/\1/p' /etc/os-release
 quick=true
 if [ $size = full ]; then quick=false; fi
 {
-  printf '{"schema": "candela-kit/1", "version": %s, ' "$(json_text "$(candela --version | sed 's/^candela //')")"
+  printf '{"schema": "candela-kit/2", "version": %s, ' "$(json_text "$(candela --version | sed 's/^candela //')")"
   printf '"system": %s, ' "$(json_text "${system:-Linux}, kernel $(uname -r)")"
   printf '"processor": %s, "quick": %s, "steps": [%s],\n' "$(json_text "${processor:-unknown}")" $quick "$steps"
   printf '"devices": %s,\n' "$(reports devices)"

@@ -144,7 +144,7 @@ def render(picture, program, scale, folder):
     if is_generated(picture):
         lines.append(f"    candela generate {picture.scene} -o {shown}")
     lines += [f"    candela {shlex.join(command_of(picture, shown, samples))} -o {picture.name}.png", ""]
-    lines += [f"{figures['seconds']['trace']:.0f} s of rendering on {figures['device']}, {samples} samples per pixel; "
+    lines += [f"{figures['phaseSeconds']['trace']:.0f} s of rendering on {figures['device']}, {samples} samples per pixel; "
               f"noise {100 * noise_of(linear, samples):.1f} %. On the right, the same samples with `--denoise`.", ""]
     return lines
 

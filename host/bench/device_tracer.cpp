@@ -18,7 +18,7 @@ DeviceTracer::DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, cons
 
 const char* DeviceTracer::layout() const {
   const char* const name = flatten::layoutName(caster_.scene().structure);
-  return *name != '\0' ? name : "none";
+  return *name != '\0' ? name : "list";
 }
 
 std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const scene::Scene& scene,

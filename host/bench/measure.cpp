@@ -7,11 +7,13 @@
 #include <map>
 
 #include "host/image/metrics.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::bench {
 namespace {
 
-double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
+using statistics::median;
+using statistics::ratio;
 
 void insertAscending(std::vector<double>& values, double value) {
   values.insert(std::upper_bound(values.begin(), values.end(), value), value);
@@ -80,22 +82,6 @@ render::RenderControl shareOf(const render::RenderControl& whole, std::uint32_t 
 }
 
 }  // namespace
-
-double median(std::span<const double> ascending) {
-  if (ascending.empty()) return 0;
-  const std::size_t middle = ascending.size() / 2;
-  return ascending.size() % 2 == 1 ? ascending[middle] : (ascending[middle - 1] + ascending[middle]) / 2;
-}
-
-double percentile(std::span<const double> ascending, double q) {
-  if (ascending.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(q * static_cast<double>(ascending.size())));
-  return ascending[std::max<std::size_t>(rank, 1) - 1];
-}
-
-double spread(std::span<const double> ascending) {
-  return ascending.empty() ? 0 : ratio(ascending.back() - ascending.front(), median(ascending));
-}
 
 double Measurement::mraysPerSecond() const {
   return ratio(static_cast<double>(statistics.rays()) / 1e6, median(traceSeconds));

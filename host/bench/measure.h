@@ -36,13 +36,6 @@ struct Measurement {
   double efficiency() const;
 };
 
-/// Returns the median of ascending values, the mean of both middle values if their number is even; 0 for none.
-double median(std::span<const double> ascending);
-/// Returns the smallest of ascending values such that a fraction `q` of all is not above it (nearest rank); 0 for none.
-double percentile(std::span<const double> ascending, double q);
-/// Returns (maximum - minimum) / median; 0 for none.
-double spread(std::span<const double> ascending);
-
 /// The number of times that the sessions of variants are prepared.
 enum class Preparation {
   once,     ///< once: the session is kept and reset

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/bench/measure.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::bench {
 namespace {
@@ -63,9 +64,9 @@ const char* rayKindName(std::uint32_t kind) {
   return kind == gpu::kDiffuseRay ? "diffuse" : "shadow";
 }
 
-double RayMeasurement::mraysPerSecond() const { return rate(rayCount, median(seconds)); }
+double RayMeasurement::mraysPerSecond() const { return rate(rayCount, statistics::median(seconds)); }
 
-double RayMeasurement::mraysPerProcessorSecond() const { return rate(rayCount, median(processorSeconds)); }
+double RayMeasurement::mraysPerProcessorSecond() const { return rate(rayCount, statistics::median(processorSeconds)); }
 
 std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const device::RaySets& sets,
                                         std::uint32_t repeats, const std::atomic<bool>* stop) {

@@ -11,11 +11,14 @@
 #include "host/bench/text_table.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::bench {
 namespace {
 
 using nlohmann::ordered_json;
+using statistics::median;
+using statistics::spread;
 
 bool agrees(const RayRow& row) { return row.measurement.share >= row.minShare; }
 
@@ -54,18 +57,18 @@ ordered_json rowJson(const RayReport& report, const RayRow& row) {
   ordered_json json;
   json["scene"] = row.scene;
   json["sceneHash"] = hashText(row.sceneHash);
-  json["rays"] = rayKindName(m.kind);
+  json["rayKind"] = rayKindName(m.kind);
   json["rayCount"] = m.rayCount;
   json["workgroup"] = extentText(report.workgroup);
   json["kernel"] = "rays";
   json["layout"] = row.tracer;
   json["sceneLoads"] = row.sceneLoads;
   json["sceneBytes"] = row.sceneBytes;
-  json["sameHits"] = agrees(row);
+  json["agrees"] = agrees(row);
   if (agrees(row)) {
-    json["medianMs"] = 1e3 * median(m.seconds);
+    json["medianSeconds"] = median(m.seconds);
     json["spread"] = spread(m.seconds);
-    json["processorMs"] = 1e3 * median(m.processorSeconds);
+    json["processorSeconds"] = median(m.processorSeconds);
     json["mraysPerSecond"] = m.mraysPerSecond();
     json["stepsPerRay"] = m.stepsPerRay;
   }
@@ -81,7 +84,7 @@ std::string toText(const RayReport& report) { return headline(report) + "\n\n" +
 std::string toMarkdown(const RayReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
 
 ordered_json toJson(const RayReport& report) {
-  ordered_json json = reportJson(kBenchSchema, report.device, report.driver, report.repeats);
+  ordered_json json = reportJson(kBenchSchema, report.device, report.driver, report.repeats, report.agree());
   json["size"] = extentText(report.size);
   for (const RayRow& row : report.rows) json["rows"].push_back(rowJson(report, row));
   return json;

@@ -11,7 +11,7 @@ namespace candela::bench {
 struct RayRow {
   std::string scene;
   std::uint64_t sceneHash = 0;
-  std::string tracer;            ///< "bvh2", "cwbvh", "none" or the name of another tracer
+  std::string tracer;            ///< "bvh2", "cwbvh", "list" or the name of another tracer
   std::string sceneLoads;        ///< "texel" or "storage"; empty for another tracer
   std::uint64_t sceneBytes = 0;  ///< size of nodes, primitives and all other data of the scene; 0 for another tracer
   RayMeasurement measurement;

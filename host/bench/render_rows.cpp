@@ -3,20 +3,22 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "host/core/hash_text.h"
 #include "host/core/report_head.h"
 #include "host/core/version.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::bench {
 namespace {
 
 using nlohmann::ordered_json;
+using statistics::median;
+using statistics::spread;
 
 double perSecond(std::uint64_t count, double seconds) {
-  return seconds > 0 ? 1e-6 * static_cast<double>(count) / seconds : 0;
+  return statistics::ratio(1e-6 * static_cast<double>(count), seconds);
 }
 
 ordered_json raysJson(const render::RenderStatistics& statistics, double seconds) {
@@ -25,26 +27,17 @@ ordered_json raysJson(const render::RenderStatistics& statistics, double seconds
           {"shadow", perSecond(statistics.shadowRays, seconds)}};
 }
 
-ordered_json dispatchesJson(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  if (seconds.empty()) return nullptr;
-  return {{"count", seconds.size()},
-          {"medianMs", 1e3 * median(seconds)},
-          {"p99Ms", 1e3 * percentile(seconds, 0.99)},
-          {"maxMs", 1e3 * seconds.back()}};
-}
-
 void addFigures(const Measurement& m, ordered_json& json) {
   const double seconds = median(m.traceSeconds);
-  json["medianMs"] = 1e3 * seconds;
+  json["medianSeconds"] = seconds;
   json["spread"] = spread(m.traceSeconds);
-  json["buildMs"] = 1e3 * median(m.buildSeconds);
-  json["pipelineMs"] = 1e3 * m.pipelineSeconds;
+  json["buildSeconds"] = median(m.buildSeconds);
+  json["pipelineSeconds"] = m.pipelineSeconds;
   json["msamplesPerSecond"] = m.msamplesPerSecond();
   json["mraysPerSecond"] = m.mraysPerSecond();
   json["mraysPerSecondByKind"] = raysJson(m.statistics, seconds);
   json["stepsPerRay"] = m.stepsPerRay();
-  json["dispatches"] = dispatchesJson(m.statistics.dispatchSeconds);
+  json["dispatches"] = statistics::durationsJson(m.statistics.dispatchSeconds);
   json["deviceBytes"] = m.statistics.deviceBytes;
   json["structureQuality"] = m.statistics.structureQuality;
   if (!m.relMse) return;
@@ -59,7 +52,7 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
   json["scene"] = scene;
   json["sceneHash"] = hashText(sceneHash);
   json["filmHash"] = hashText(m.filmHash);
-  json["sameImage"] = m.agrees;
+  json["agrees"] = m.agrees;
   json["variant"] = m.variant.name;
   json["structure"] = render::structureName(m.statistics.structure);
   json["bvhSplit"] = m.statistics.bvhSplit;
@@ -77,11 +70,12 @@ ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Me
 }
 
 ordered_json reportJson(const std::string& schema, const std::string& device, const std::string& driver,
-                        std::uint32_t repeats) {
+                        std::uint32_t repeats, bool agrees) {
   ordered_json json = reportHead(schema);
   json["device"] = device;
   json["driver"] = driver;
   json["repeats"] = repeats;
+  json["agrees"] = agrees;
   return json;
 }
 

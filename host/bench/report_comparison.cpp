@@ -17,9 +17,9 @@ namespace {
 
 using nlohmann::json;
 
-// The fields that identify a row in both reports. The number of segments per dispatch is not one of them, since by
-// default it is chosen by timing.
-constexpr std::array kIdentity{"scene",    "size",       "samplesPerPixel", "variant", "rays",       "structure",
+// The fields that identify a row in both reports, in the order of its name. The number of segments per dispatch is not
+// one of them, since by default it is chosen by timing.
+constexpr std::array kIdentity{"scene",    "size",       "samplesPerPixel", "variant", "rayKind",    "structure",
                                "bvhSplit", "bvhQuality", "kernel",          "layout",  "sceneLoads", "workgroup"};
 
 /// The schema of earlier versions, whose rows have the same scores.
@@ -31,6 +31,15 @@ struct Row {
   std::optional<double> score;
   double spread = 0;
 };
+
+// Gives a row of an earlier version the names of today.
+json renamed(json row) {
+  if (const auto kind = row.find("rays"); kind != row.end()) row["rayKind"] = *kind;
+  if (const auto layout = row.find("layout"); layout != row.end() && (*layout == "row" || *layout == "none")) {
+    *layout = "list";
+  }
+  return row;
+}
 
 std::string nameOf(const json& row) {
   std::string name;
@@ -57,8 +66,8 @@ std::vector<Row> readRows(const json& report, const std::string& name) {
       throw FileError(name + ": not a report of candela bench: it has another schema");
     std::vector<Row> rows;
     for (const json& row : report.at("rows")) {
-      rows.push_back({nameOf(row), row.at("sceneHash").get<std::string>(), fieldOf<double>(row, "mraysPerSecond"),
-                      fieldOf<double>(row, "spread").value_or(0)});
+      rows.push_back({nameOf(renamed(row)), row.at("sceneHash").get<std::string>(),
+                      fieldOf<double>(row, "mraysPerSecond"), fieldOf<double>(row, "spread").value_or(0)});
     }
     return rows;
   } catch (const json::exception& error) {
@@ -189,7 +198,7 @@ nlohmann::ordered_json toJson(const ReportComparison& comparison) {
   result["oldDevice"] = comparison.oldDevice;
   result["newDevice"] = comparison.newDevice;
   result["threshold"] = comparison.threshold;
-  result["regressed"] = comparison.regressed();
+  result["agrees"] = !comparison.regressed();
   result["rows"] = nlohmann::ordered_json::array();
   for (const ComparedRow& row : comparison.rows) {
     nlohmann::ordered_json line;

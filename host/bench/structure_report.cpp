@@ -8,11 +8,14 @@
 
 #include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::bench {
 namespace {
 
 using nlohmann::ordered_json;
+using statistics::median;
+using statistics::spread;
 
 Variant variantOf(const char* name, render::RenderSettings settings, render::AccelKind accel, render::BvhSplit split) {
   settings.structure.accel = accel;
@@ -21,9 +24,9 @@ Variant variantOf(const char* name, render::RenderSettings settings, render::Acc
 }
 
 // Returns the structure that was used, not the requested one: the reference has its own BVH, and none for few
-// primitives, and devices trace few primitives as a list of records of one kind ("row").
+// primitives, and devices trace few primitives as a list of records of one kind.
 std::string structureText(const Measurement& m) {
-  if (m.statistics.layout == "row") return "list (too few primitives for a BVH)";
+  if (m.statistics.layout == "list") return "list (too few primitives for a BVH)";
   if (m.statistics.structure == render::AccelKind::grid) return "uniform grid";
   if (m.statistics.structure == render::AccelKind::none) return "none";
   return m.statistics.bvhSplit == "sah" ? "BVH, SAH" : "BVH, " + m.statistics.bvhSplit;
@@ -91,7 +94,8 @@ std::string toMarkdown(const StructureReport& report) {
 }
 
 ordered_json toJson(const StructureReport& report) {
-  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats);
+  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats,
+                                 report.agree());
   for (const StructureRow& row : report.rows) {
     json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
     if (row.publishedSeconds) json["rows"].back()["publishedSeconds"] = *row.publishedSeconds;

@@ -10,11 +10,14 @@
 #include "host/bench/text_table.h"
 #include "host/core/version.h"
 #include "host/report/bar_chart.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::bench {
 namespace {
 
 using nlohmann::ordered_json;
+using statistics::median;
+using statistics::spread;
 
 const render::RenderStatistics& first(const SweepReport& report) { return report.rows.front().measurement.statistics; }
 
@@ -98,7 +101,8 @@ std::string toText(const SweepReport& report) {
 std::string toMarkdown(const SweepReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
 
 ordered_json toJson(const SweepReport& report) {
-  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats);
+  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats,
+                                 report.agree());
   json["processBytes"] = report.processBytes;
   for (const SweepRow& row : report.rows) json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
   return json;

@@ -46,9 +46,8 @@ ordered_json adaptiveJson(const render::AdaptivePlan& plan, const image::Film& f
   ordered_json halfRegions = ordered_json::object();
   for (const auto& [samples, count] : summary.halfRegions) halfRegions[fmt::to_string(samples)] = count;
   const double saved = 1 - summary.meanSamples / maxSamples;
-  return {{"minSamples", summary.minSamples}, {"meanSamples", summary.meanSamples},
-          {"maxSamples", summary.maxSamples}, {"samplesSaved", saved},
-          {"halfRegions", halfRegions},       {"meanError", summary.meanError},
+  return {{"minSamples", summary.minSamples}, {"meanSamples", summary.meanSamples}, {"maxSamples", summary.maxSamples},
+          {"savedFraction", saved},           {"halfRegions", halfRegions},         {"meanError", summary.meanError},
           {"maxError", summary.maxError}};
 }
 

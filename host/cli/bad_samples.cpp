@@ -54,10 +54,6 @@ std::string pixelLine(const render::BadPixel& pixel, const RenderJob& job) {
                      pixel.firstSample, replayCommand(pixel, job));
 }
 
-ordered_json sideJson(const render::BadSampleTally& tally, const RenderJob& job) {
-  return {{"samples", tally.samples()}, {"pixels", tally.pixels()}, {"firstPixels", firstPixelsJson(tally, job)}};
-}
-
 }  // namespace
 
 std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
@@ -76,20 +72,24 @@ std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, con
   return lines;
 }
 
-ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJob& job) {
+ordered_json badSamplesJson(const render::BadSampleTally& tally) {
   ordered_json pixels = ordered_json::array();
   for (const render::BadPixel& pixel : tally.firstPixels()) {
-    pixels.push_back({{"x", pixel.x},
-                      {"y", pixel.y},
-                      {"badSamples", pixel.badCount},
-                      {"firstSample", pixel.firstSample},
-                      {"replay", replayCommand(pixel, job)}});
+    pixels.push_back({{"x", pixel.x}, {"y", pixel.y}, {"samples", pixel.badCount}, {"firstSample", pixel.firstSample}});
   }
-  return pixels;
+  return {{"samples", tally.samples()}, {"pixels", tally.pixels()}, {"firstPixels", pixels}};
+}
+
+ordered_json badSamplesJson(const render::BadSampleTally& tally, const RenderJob& job) {
+  ordered_json json = badSamplesJson(tally);
+  for (std::size_t i = 0; i < tally.firstPixels().size(); ++i) {
+    json["firstPixels"][i]["replay"] = replayCommand(tally.firstPixels()[i], job);
+  }
+  return json;
 }
 
 ordered_json badSamplesJson(const render::BadSampleTallies& tallies, const RenderJob& job) {
-  return {{"device", sideJson(tallies.device, job)}, {"reference", sideJson(tallies.reference, job)}};
+  return {{"device", badSamplesJson(tallies.device, job)}, {"reference", badSamplesJson(tallies.reference, job)}};
 }
 
 void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log) {

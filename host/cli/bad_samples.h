@@ -18,10 +18,11 @@ std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job);
 /// bad samples.
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job);
 
-/// Returns the first few pixels, each with x, y, badSamples, firstSample and replay.
-nlohmann::ordered_json firstPixelsJson(const render::BadSampleTally& tally, const RenderJob& job);
-
-/// Returns, for each of two tracers, the numbers of bad samples and of pixels with bad samples, and the first of these.
+/// Returns the member `badSamples` of JSON documents: the numbers of bad samples and of pixels with bad samples, and
+/// the first few of these, with the commands that replay them if the job is known.
+nlohmann::ordered_json badSamplesJson(const render::BadSampleTally& tally);
+nlohmann::ordered_json badSamplesJson(const render::BadSampleTally& tally, const RenderJob& job);
+/// Returns an object with this member for each of two tracers.
 nlohmann::ordered_json badSamplesJson(const render::BadSampleTallies& tallies, const RenderJob& job);
 /// Writes the lines of both tracers to the log.
 void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log);

@@ -41,8 +41,8 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   if (!arguments.report.empty()) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));
   }
-  if (pair.badSamples > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples));
-  return strictly(pair.verdict.passes() ? ExitCode::done : ExitCode::differ, pair.badSamples, arguments, log);
+  if (pair.badSamples() > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples()));
+  return strictly(pair.verdict.passes() ? ExitCode::done : ExitCode::differ, pair.badSamples(), arguments, log);
 }
 
 }  // namespace candela::cli

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/cli/adaptive_report.h"
+#include "host/cli/bad_samples.h"
 #include "host/cli/film_options.h"
 #include "host/core/counted.h"
 #include "host/core/hash_text.h"
@@ -40,16 +41,6 @@ std::string settingsText(const std::map<std::string, std::string>& settings) {
   return options.empty() ? "all at their defaults" : fmt::format("{}", fmt::join(options, " "));
 }
 
-// Returns the settings as JSON: null where a setting has the default of its option and that is not a value, such as
-// "the pose at rest".
-ordered_json settingsJson(const std::map<std::string, std::string>& settings) {
-  ordered_json json = ordered_json::object();
-  for (const auto& [name, value] : settings) {
-    json[name] = isValue(name, value) ? ordered_json(value) : ordered_json(nullptr);
-  }
-  return json;
-}
-
 std::vector<std::string> tracerTexts(const std::vector<film::Tracer>& tracers) {
   std::vector<std::string> texts;
   for (const film::Tracer& tracer : tracers) {
@@ -59,11 +50,21 @@ std::vector<std::string> tracerTexts(const std::vector<film::Tracer>& tracers) {
   return texts;
 }
 
+render::BadSampleTally badSamplesOf(const film::FilmHeader& header, const image::Film& film) {
+  render::ImageSettings image;
+  image.size = header.size;
+  image.crop = header.window;
+  image.seed = header.seed;
+  image.sampleCount = header.samplesPerPixel;
+  render::BadSampleTally tally;
+  tally.add(film, image);
+  return tally;
+}
+
 }  // namespace
 
 FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work) {
-  const image::FilmCounts counts = film.counts();
-  FilmDescription description{header, hashText(film.hash()), counts.samples, counts.badSamples, {}, work};
+  FilmDescription description{header, hashText(film.hash()), film.counts().samples, badSamplesOf(header, film), {}, work};
   if (const auto plan = planOf(header)) {
     description.adaptive = adaptiveText(film);
     description.adaptiveFigures = adaptiveJson(*plan, film, header.samplesPerPixel);
@@ -90,7 +91,7 @@ std::string toText(const FilmDescription& description) {
   text += rows("missing", textsOf(description.missing));
   text += row("samples", fmt::to_string(description.samples));
   if (description.adaptive) text += row("adaptive", *description.adaptive);
-  text += row("bad samples", fmt::to_string(description.badSamples));
+  text += row("bad samples", fmt::to_string(description.badSamples.samples()));
   text += rows("rendered by", tracerTexts(header.tracers));
   text += rows("mixed", header.mixed);
   text += row("film hash", description.filmHash);
@@ -111,18 +112,19 @@ ordered_json toJson(const FilmDescription& description) {
                {"seed", header.seed},
                {"settings", settingsJson(header.settings)},
                {"layers", layerText(header.layers)},
-               {"crop", render::windowText(header.window)},
+               {"window", render::windowText(header.window)},
                {"complete", header.isComplete()},
                {"covered", textsOf(header.covered)},
-               {"interrupted", textsOf(header.begun)},
+               {"interrupted", !header.begun.empty()},
+               {"begun", textsOf(header.begun)},
                {"missing", textsOf(description.missing)},
                {"samples", description.samples},
-               {"badSamples", description.badSamples},
+               {"badSamples", badSamplesJson(description.badSamples)},
                {"tracers", film::tracersJson(header.tracers)},
-               {"isMixed", header.isMixed()},
-               {"mixed", header.mixed},
+               {"mixed", header.isMixed()},
+               {"ignoredDifferences", header.mixed},
                {"filmHash", description.filmHash},
-               {"work", film::toJson(description.work)}});
+               {"work", film::reportJson(description.work)}});
   if (description.adaptive) json["adaptive"] = description.adaptiveFigures;
   return json;
 }

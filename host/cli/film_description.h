@@ -6,6 +6,7 @@
 
 #include "host/film/film_file.h"
 #include "host/film/work_report.h"
+#include "host/render/bad_sample_tally.h"
 
 namespace candela::cli {
 
@@ -13,7 +14,7 @@ struct FilmDescription {
   film::FilmHeader header;
   std::string filmHash;
   std::uint64_t samples = 0;  ///< in the film
-  std::uint64_t badSamples = 0;
+  render::BadSampleTally badSamples;
   std::vector<film::SampleBox> missing;  ///< of the image
   film::WorkReport work;
   std::optional<std::string> adaptive{};     ///< statistics of adaptive sampling, as text

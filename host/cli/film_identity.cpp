@@ -27,9 +27,14 @@ bool isSetting(const Option& option) {
   return decides && !stated && option.isFor(Command::render);
 }
 
+// Films of earlier versions call the list of a small scene "row".
+std::string layoutText(const render::RenderStatistics& statistics) {
+  return statistics.layout == "list" ? "row" : statistics.layout;
+}
+
 std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
   return fmt::format("{} {} {} {} density {}", render::structureName(statistics.structure), statistics.bvhSplit,
-                     statistics.bvhQuality, statistics.layout, job.settings().structure.gridDensity);
+                     statistics.bvhQuality, layoutText(statistics), job.settings().structure.gridDensity);
 }
 
 // Films of versions without these options can be resumed, because films record these options only if they do not

@@ -4,9 +4,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <nlohmann/json.hpp>
+
 #include "host/cli/option_table.h"
+#include "host/cli/settings_json.h"
 
 namespace candela::cli {
+
+using nlohmann::ordered_json;
+
 namespace {
 
 constexpr const char* kAntialiasing = "antialiasing";  // a setting of films that --spp 0 gives
@@ -47,9 +53,21 @@ std::optional<std::string> optionOf(const std::string& name, const std::string& 
   return fmt::format("{} {}", option->name(), shellQuoted(value));
 }
 
-bool isValue(const std::string& name, const std::string& setting) {
-  const Option* const option = settingNamed(name);
-  return option == nullptr || setting != option->defaultText || setting.find(' ') == std::string::npos;
+ordered_json settingsJson(const std::map<std::string, std::string>& settings) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [name, value] : settings) {
+    const Option* const option = settingNamed(name);
+    ordered_json& member = json[settingKey(name)];
+    if (name == kAntialiasing) {
+      member = value != "off";
+    } else if (option == nullptr) {
+      member = value;
+    } else {
+      const bool isUnset = option->isFlag() && option->isDefault(value);
+      member = settingValue(*option, isUnset ? std::vector<std::string>{} : std::vector{value});
+    }
+  }
+  return json;
 }
 
 std::string stepsToResume(const film::FilmHeader& film, const film::FilmHeader& render) {

@@ -1,5 +1,7 @@
 // The settings of films in the notation of the command line.
 #pragma once
+#include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -11,8 +13,8 @@ namespace candela::cli {
 /// Returns nothing if the setting has the default of the option, or if no option gives it.
 std::optional<std::string> optionOf(const std::string& name, const std::string& value);
 
-/// Returns whether a setting has a value, rather than words that describe a default, such as "the pose at rest".
-bool isValue(const std::string& name, const std::string& setting);
+/// Returns the settings of a film as reports of renders have them: see settingValue().
+nlohmann::ordered_json settingsJson(const std::map<std::string, std::string>& settings);
 
 /// Returns what to change on the command line so that a render with the header `render` continues `film`, e.g.
 /// "use --size 96x96 --seed 3, and leave out --one-sided". Empty if no options achieve that.

@@ -7,8 +7,34 @@
 
 #include "host/cli/display_choice.h"
 #include "host/core/report_head.h"
+#include "host/render/bad_sample_tally.h"
 
 namespace candela::cli {
+namespace {
+
+ImageBadSamples badSamplesOf(const image::Image& image) {
+  ImageBadSamples bad;
+  for (std::size_t i = 0; i < image.badSampleCounts.size(); ++i) {
+    const std::uint32_t samples = image.badSampleCounts[i];
+    if (samples == 0) continue;
+    bad.samples += samples;
+    if (bad.pixels++ >= render::BadSampleTally::kPixelsKept) continue;
+    bad.firstPixels.push_back(
+        {static_cast<std::uint32_t>(i % image.width), static_cast<std::uint32_t>(i / image.width), samples});
+  }
+  return bad;
+}
+
+nlohmann::ordered_json toJson(const ImageBadSamples& bad) {
+  nlohmann::ordered_json json{
+      {"samples", bad.samples}, {"pixels", bad.pixels}, {"firstPixels", nlohmann::ordered_json::array()}};
+  for (const auto& [x, y, samples] : bad.firstPixels) {
+    json["firstPixels"].push_back({{"x", x}, {"y", y}, {"samples", samples}});
+  }
+  return json;
+}
+
+}  // namespace
 
 ImagePair comparePair(const Arguments& arguments, const image::Image& a, const image::Image& reference) {
   ImagePair pair;
@@ -16,7 +42,8 @@ ImagePair comparePair(const Arguments& arguments, const image::Image& a, const i
   const image::DisplayTransform display = chooseDisplay(arguments, reference);
   pair.flip = computeFlip(displayed(a, display), displayed(reference, display));
   pair.verdict = judgeImages(arguments, a, reference, pair.comparison);
-  pair.badSamples = badSampleCount(a) + badSampleCount(reference);
+  pair.badInA = badSamplesOf(a);
+  pair.badInB = badSamplesOf(reference);
   return pair;
 }
 
@@ -29,9 +56,9 @@ std::string toText(const ImagePair& pair) {
 nlohmann::ordered_json toJson(const ImagePair& pair) {
   nlohmann::ordered_json json = reportHead("candela-compare-images/1");
   json.update(toJson(pair.comparison));
-  json["flipMean"] = pair.flip.mean;
-  json["flipMaximum"] = pair.flip.maximum;
-  json["badSamples"] = pair.badSamples;
+  json["meanFlip"] = pair.flip.mean;
+  json["maxFlip"] = pair.flip.maximum;
+  json["badSamples"] = {{"a", toJson(pair.badInA)}, {"b", toJson(pair.badInB)}};
   addToJson(pair.verdict, json);
   return json;
 }

@@ -9,11 +9,23 @@
 
 namespace candela::cli {
 
+/// The bad samples of an image file, whose commands are unknown.
+struct ImageBadSamples {
+  struct Pixel {
+    std::uint32_t x, y, samples;
+  };
+  std::uint64_t samples = 0;
+  std::uint64_t pixels = 0;
+  std::vector<Pixel> firstPixels;  ///< at most as many as BadSampleTally stores, row by row
+};
+
 struct ImagePair {
   image::ImageComparison comparison;
   image::FlipResult flip;
   ImageVerdict verdict;
-  std::uint64_t badSamples = 0;  ///< of both images
+  ImageBadSamples badInA, badInB;
+
+  std::uint64_t badSamples() const { return badInA.samples + badInB.samples; }
 };
 
 /// Compares `a` with `reference` by the options of `arguments`. Throws UsageError if the sizes differ, or as

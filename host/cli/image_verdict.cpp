@@ -68,7 +68,7 @@ std::string toText(const ImageVerdict& verdict) {
 }
 
 void addToJson(const ImageVerdict& verdict, nlohmann::ordered_json& json) {
-  if (verdict.isGiven()) json["pass"] = verdict.passes();
+  json["agrees"] = verdict.isGiven() ? nlohmann::ordered_json(verdict.passes()) : nlohmann::ordered_json();
   if (verdict.films) json["sameLight"] = toJson(*verdict.films);
   if (!verdict.whyNoTest.empty()) json["noVerdict"] = verdict.whyNoTest;
 }

@@ -30,7 +30,7 @@ ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, cons
 
 /// Returns lines, each ending in a newline; nothing if there is neither a verdict nor a reason for its absence.
 std::string toText(const ImageVerdict& verdict);
-/// Adds "pass" and "sameLight" to the report, if there are such verdicts.
+/// Adds `agrees`, and `sameLight` if the light was tested.
 void addToJson(const ImageVerdict& verdict, nlohmann::ordered_json& json);
 
 }  // namespace candela::cli

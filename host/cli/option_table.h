@@ -45,6 +45,9 @@ struct Option {
   /// Returns whether a value as films record it ("off" for a flag that is not given) is the default.
   bool isDefault(const std::string& value) const { return value == (isFlag() ? "off" : defaultText); }
 
+  /// Returns whether a word of `show` is a value, rather than words that describe a default ("the pose at rest").
+  bool isValue(const std::string& word) const { return word != defaultText || word.find(' ') == std::string::npos; }
+
   /// Returns the long name with its dashes.
   std::string name() const { return names.substr(names.rfind(',') + 1); }
   bool isFlag() const { return metavar.empty(); }

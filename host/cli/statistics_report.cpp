@@ -7,55 +7,36 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
-#include "host/bench/measure.h"
 #include "host/cli/adaptive_report.h"
 #include "host/cli/bad_samples.h"
 #include "host/cli/option_table.h"
+#include "host/cli/settings_json.h"
 #include "host/core/counted.h"
 #include "host/core/hash_text.h"
 #include "host/core/report_head.h"
 #include "host/scene/memory.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::cli {
 namespace {
 
 using nlohmann::ordered_json;
+using statistics::ratio;
 
 constexpr std::array kPhases{"parse", "build",    "structure", "upload", "pipeline",
                              "trace", "readBack", "write",     "total"};
-
-double ratio(double numerator, double denominator) { return denominator > 0 ? numerator / denominator : 0; }
-
-// Converts "--max-depth" to "maxDepth".
-std::string jsonKey(const std::string& optionName) {
-  std::string key;
-  bool raise = false;
-  for (const char character : optionName.substr(2)) {
-    if (character != '-') key += raise ? static_cast<char>(std::toupper(character)) : character;
-    raise = character == '-';
-  }
-  return key;
-}
-
-ordered_json jsonValue(const Option& option, const Arguments& arguments) {
-  const std::vector<std::string> values = option.show(arguments);
-  if (option.isFlag()) return !values.empty();
-  if (values.size() != 1) return values;
-  const ordered_json number = ordered_json::parse(values[0], nullptr, false);
-  return number.is_number() ? number : ordered_json(values[0]);
-}
 
 ordered_json settingsJson(const Arguments& arguments) {
   ordered_json settings;
   for (const Option& option : optionTable()) {
     if (option.group == OptionGroup::image || option.group == OptionGroup::sceneFile) {
-      settings[jsonKey(option.name())] = jsonValue(option, arguments);
+      settings[settingKey(option.name())] = settingValue(option, option.show(arguments));
     }
   }
   return settings;
 }
 
-ordered_json secondsJson(const RenderReport& report) {
+ordered_json phaseSecondsJson(const RenderReport& report) {
   ordered_json seconds;
   for (const char* phase : kPhases) seconds[phase] = 0.0;
   for (const auto& [phase, value] : report.result.statistics.seconds) seconds[phase] = value;
@@ -63,14 +44,6 @@ ordered_json secondsJson(const RenderReport& report) {
   seconds["write"] = report.writeSeconds;
   seconds["total"] = report.totalSeconds;
   return seconds;
-}
-
-ordered_json dispatchJson(std::vector<double> seconds) {
-  std::sort(seconds.begin(), seconds.end());
-  return {{"count", seconds.size()},
-          {"median", bench::percentile(seconds, 0.5)},
-          {"p99", bench::percentile(seconds, 0.99)},
-          {"max", bench::percentile(seconds, 1)}};
 }
 
 ordered_json raysJson(const render::RenderStatistics& statistics) {
@@ -86,7 +59,7 @@ ordered_json raysJson(const render::RenderStatistics& statistics) {
   return rays;
 }
 
-// Appends the leaves of nested objects with names like "seconds.trace".
+// Appends the leaves of nested objects with names like "phaseSeconds.trace".
 void appendRows(const ordered_json& object, const std::string& prefix, std::string& out) {
   for (const auto& [key, value] : object.items()) {
     if (value.is_object()) {
@@ -123,7 +96,7 @@ void reportVolumeFaults(const render::RenderStatistics& statistics, const Log& l
 
 ordered_json toJson(const RenderReport& report) {
   const render::RenderStatistics& statistics = report.result.statistics;
-  const ordered_json seconds = secondsJson(report);
+  const ordered_json seconds = phaseSecondsJson(report);
   const double traceSeconds = seconds["trace"];
   ordered_json json = reportHead("candela-render/1");
   json["scene"] = report.job.scene.name;
@@ -147,11 +120,7 @@ ordered_json toJson(const RenderReport& report) {
   json["segmentsPerDispatch"] = statistics.maxSegmentsPerDispatch;
   json["threads"] = statistics.threads;
   json["deviceBytes"] = statistics.deviceBytes;
-  const scene::SceneMemory memory = scene::memoryOf(report.job.scene);
-  json["sceneBytes"] = memory.total;
-  json["bytesPerTriangle"] = memory.bytesPerTriangle().value_or(0);
-  json["textureBytes"] = memory.textures;
-  json["deepTextureBytes"] = memory.deepTextures;
+  json["memory"] = toJson(scene::memoryOf(report.job.scene));
   json["samples"] = statistics.samples;
   if (const auto plan = planOf(report.job.arguments)) {
     json["adaptive"] = adaptiveJson(*plan, report.result.film, report.job.settings().image.sampleCount);
@@ -163,12 +132,10 @@ ordered_json toJson(const RenderReport& report) {
   json["mraysPerSecond"] = ratio(static_cast<double>(statistics.rays()) / 1e6, traceSeconds);
   json["truncated"] = statistics.truncated;
   json["volumeFaults"] = statistics.volumeFaults;
-  json["badSamples"] = statistics.badSamples;
-  json["badPixels"] = report.badSamples.pixels();
-  json["firstBadPixels"] = firstPixelsJson(report.badSamples, report.job);
-  json["dispatch"] = dispatchJson(statistics.dispatchSeconds);
-  json["seconds"] = seconds;
-  if (report.work) json["work"] = film::toJson(*report.work);
+  json["badSamples"] = badSamplesJson(report.badSamples, report.job);
+  json["dispatches"] = statistics::durationsJson(statistics.dispatchSeconds);
+  json["phaseSeconds"] = seconds;
+  if (report.work) json["work"] = film::reportJson(*report.work);
   return json;
 }
 

@@ -19,6 +19,7 @@
 #include "host/device/gpu_renderer.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/film_coverage.h"
+#include "host/statistics/quantiles.h"
 #include "host/window/viewer.h"
 
 namespace candela::cli {
@@ -139,17 +140,9 @@ std::vector<std::string> deviceNames() {
 }
 
 nlohmann::ordered_json toJson(const window::ViewerReport& report) {
-  std::vector<double> sorted = report.responses;
-  std::ranges::sort(sorted);
-  const auto quantile = [&](double part) {
-    return sorted.empty() ? 0.0 : sorted[static_cast<std::size_t>(part * static_cast<double>(sorted.size() - 1))];
-  };
   nlohmann::ordered_json json = reportHead("candela-view/1");
   json["firstPictureSeconds"] = report.firstPicture;
-  json["responses"] = {{"count", sorted.size()},
-                       {"medianSeconds", quantile(0.5)},
-                       {"p90Seconds", quantile(0.9)},
-                       {"maxSeconds", quantile(1)}};
+  json["responses"] = statistics::durationsJson(report.responses);
   json["frames"] = report.frames;
   json["presentsFromDevice"] = report.presentsFromDevice;
   json["device"] = report.last.deviceName;

@@ -79,7 +79,7 @@ nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& de
   nlohmann::ordered_json json = reportHead("candela-conformance/2");
   json.update({{"device", device.name},
                {"driver", device.driver},
-               {"expected", run.isExpected()},
+               {"agrees", run.interrupted ? nlohmann::ordered_json() : nlohmann::ordered_json(run.isExpected())},
                {"interrupted", run.interrupted},
                {"seconds", seconds}});
   json["counts"] = nlohmann::ordered_json::object();
@@ -88,7 +88,7 @@ nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& de
   for (const CaseResult& one : run.cases) {
     json["cases"].push_back({{"name", one.name},
                              {"result", textOf(one.verdict)},
-                             {"expected", one.verdict.isExpected()},
+                             {"agrees", one.verdict.isExpected()},
                              {"seconds", one.seconds},
                              {"text", one.text}});
   }

@@ -76,7 +76,7 @@ void GpuSession::describe() {
   prepared_.kernels = kernelsHash();
   prepared_.structure = settings_.structure.accel;
   if (prepared_.structure == render::AccelKind::bvh) describeBuild(settings_.structure, prepared_);
-  prepared_.layout = flat_.uniformSlots > 0 ? "row" : flatten::layoutName(flat_.structure);
+  prepared_.layout = flat_.uniformSlots > 0 ? "list" : flatten::layoutName(flat_.structure);
   prepared_.kernel = kernel_.name;
   prepared_.workgroup = settings_.execution.workgroupInUse();
   prepared_.automaticOrigin = settings_.execution.automatic.origin;

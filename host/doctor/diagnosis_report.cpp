@@ -27,6 +27,12 @@ nlohmann::ordered_json toJson(const Check& check) {
   return {{"name", check.name}, {"status", nameOf(check.status)}, {"text", check.text}, {"remedy", check.remedy}};
 }
 
+// Returns whether the picture of a render is right; null if there is none.
+nlohmann::ordered_json agreement(ExitCode code) {
+  if (code == ExitCode::noDevice) return nullptr;
+  return code == ExitCode::done;
+}
+
 }  // namespace
 
 std::string toText(const Diagnosis& diagnosis) {
@@ -37,7 +43,7 @@ std::string toText(const Diagnosis& diagnosis) {
 
 nlohmann::ordered_json toJson(const Diagnosis& diagnosis) {
   nlohmann::ordered_json json = reportHead("candela-doctor/2");
-  json["renderWorks"] = diagnosis.code() == ExitCode::done;
+  json["agrees"] = agreement(diagnosis.code());
   json["exitCode"] = static_cast<int>(diagnosis.code());
   json["verdict"] = diagnosis.verdict();
   json["device"] = diagnosis.device ? nlohmann::ordered_json(diagnosis.device->name) : nullptr;

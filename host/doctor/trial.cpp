@@ -38,7 +38,7 @@ nlohmann::json compareWithReference(render::Renderer& device) {
   Stopwatch stopwatch;
   const verify::AgreementReport report = verify::compareTracers(scene, render::resolve(request, scene), device,
                                                                 *reference, verify::LightTestOptions{}.alpha, {});
-  return {{"agree", report.agree() && report.deviceStatistics.truncated == 0},
+  return {{"agrees", report.agree() && report.deviceStatistics.truncated == 0},
           {"seconds", stopwatch.lap()},
           {"truncated", report.deviceStatistics.truncated},
           {"report", nlohmann::json(report.toJson())}};
@@ -49,7 +49,7 @@ Trial interpretTrial(const nlohmann::json& comparison) {
   const std::string what = fmt::format("{}x{} pixels, {} samples, {:.1f} s", kSide, kSide, kSamples,
                                        comparison["seconds"].get<double>());
   trial.check.text = fmt::format("{}: agrees with the reference tracer", what);
-  if (comparison["agree"].get<bool>()) return trial;
+  if (comparison["agrees"].get<bool>()) return trial;
   trial.outcome = TrialOutcome::wrong;
   trial.check.status = Status::problem;
   trial.check.text = fmt::format("{}: DIFFERS from the reference tracer", what);

@@ -34,7 +34,7 @@ ordered_json quantityJson(const Quantity& quantity) {
   if (quantity.kind != Quantity::Kind::decision) json["apart"] = quantity.apart;
   if (quantity.kind == Quantity::Kind::number) json["amplification"] = quantity.amplification();
   if (quantity.kind == Quantity::Kind::decision) json["decidable"] = !quantity.undecidable;
-  json["differs"] = quantity.differs;
+  json["agrees"] = !quantity.differs;
   return json;
 }
 
@@ -52,10 +52,10 @@ ordered_json quantityIndexJson(const Explanation& explanation, const std::option
   return json;
 }
 
-ordered_json headJson(const std::string& scene, bool equal) {
+ordered_json headJson(const std::string& scene, bool agrees) {
   ordered_json json = reportHead("candela-explain/2");
   json["scene"] = scene;
-  json["equal"] = equal;
+  json["agrees"] = agrees;
   return json;
 }
 
@@ -67,7 +67,8 @@ ordered_json toJson(const Explanation& explanation) {
   json["verdict"] = explanation.verdict();
   json["device"] = explanation.statistics.device;
   json["driver"] = explanation.statistics.driver;
-  json["pixel"] = {sample.x, sample.y};
+  json["x"] = sample.x;
+  json["y"] = sample.y;
   json["sample"] = sample.index;
   json["seed"] = explanation.seed;
   json["tolerance"] = kTolerance;
@@ -75,7 +76,7 @@ ordered_json toJson(const Explanation& explanation) {
   json["firstDifference"] = quantityIndexJson(explanation, explanation.firstDifference);
   json["firstDecision"] = quantityIndexJson(explanation, explanation.firstDecision);
   json["vertexCount"] = {{"device", explanation.device.vertexCount}, {"reference", explanation.reference.vertexCount}};
-  json["mostVertices"] = render::PathTrace::kMaxVertices;
+  json["maxVertices"] = render::PathTrace::kMaxVertices;
   for (const Stage& stage : explanation.stages) json["stages"].push_back(stageJson(stage));
   return json;
 }
@@ -83,7 +84,7 @@ ordered_json toJson(const Explanation& explanation) {
 ordered_json nothingJson(const scene::Scene& scene, const verify::PixelAgreement& pixels) {
   ordered_json json = headJson(scene.name, true);
   json["verdict"] = nothingToExplain(pixels);
-  json["pixels"] = pixels.pixels;
+  json["pixelCount"] = pixels.pixels;
   return json;
 }
 

@@ -89,6 +89,19 @@ ordered_json toJson(const WorkReport& work) {
           {"seconds", work.seconds}};
 }
 
+ordered_json reportJson(const WorkReport& work) {
+  ordered_json json{{"runs", work.runs},
+                    {"runsNotCounted", work.runsNotCounted},
+                    {"hosts", work.hosts},
+                    {"counts", work.counts},
+                    {"phaseSeconds", work.seconds}};
+  if (const auto bad = work.counts.find("badSamples"); bad != work.counts.end()) {
+    json["counts"].erase("badSamples");
+    json["counts"]["badSampleCount"] = bad->second;
+  }
+  return json;
+}
+
 std::filesystem::path workFile(const std::filesystem::path& film) {
   std::filesystem::path file = film;
   file += ".json";

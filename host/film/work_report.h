@@ -27,7 +27,10 @@ struct WorkReport {
 /// The report of one run on this host. Counts of Whitted's tracer are included if it has them.
 WorkReport workOf(const render::RenderStatistics& statistics);
 
+/// Returns the content of the file beside a film.
 nlohmann::ordered_json toJson(const WorkReport& work);
+/// Returns the member `work` of JSON documents.
+nlohmann::ordered_json reportJson(const WorkReport& work);
 
 /// The file that belongs to a film file: its name with ".json" appended.
 std::filesystem::path workFile(const std::filesystem::path& film);

@@ -128,8 +128,7 @@ std::string toText(const ImageComparison& c) {
 }
 
 nlohmann::ordered_json toJson(const ImageComparison& c) {
-  return {{"width", c.width},
-          {"height", c.height},
+  return {{"size", fmt::format("{}x{}", c.width, c.height)},
           {"notFiniteCount", c.notFiniteCount},
           {"mean", toJson(c.mean)},
           {"referenceMean", toJson(c.referenceMean)},
@@ -139,13 +138,11 @@ nlohmann::ordered_json toJson(const ImageComparison& c) {
           {"meanSquaredError", c.meanSquaredError},
           {"relativeMeanSquaredError", c.relativeMeanSquaredError},
           {"peakSignalToNoise", c.peakSignalToNoise},
-          {"maximumDifference", c.maximumDifference},
-          {"maximumX", c.maximumX},
-          {"maximumY", c.maximumY},
+          {"worst", {{"difference", c.maximumDifference}, {"x", c.maximumX}, {"y", c.maximumY}}},
           {"relativeTolerance", c.tolerance.relative},
           {"absoluteTolerance", c.tolerance.absolute},
           {"differingCount", c.differingCount},
-          {"differingShare", c.differingShare}};
+          {"differingFraction", c.differingShare}};
 }
 
 double differenceScale(const Image& a, const Image& reference) {

@@ -50,7 +50,7 @@ ImageComparison compareImages(const Image& a, const Image& reference, const Diff
 
 /// Returns lines of text, each ending in a newline.
 std::string toText(const ImageComparison& comparison);
-/// Returns the numbers under the names of the fields. JSON has no infinity: such numbers are null.
+/// Returns the numbers as docs/json.md names them. JSON has no infinity: such numbers are null.
 nlohmann::ordered_json toJson(const ImageComparison& comparison);
 
 /// Returns the value, > 0, that is added to the reference's luminance in relative differences of pixels: 1 % of its

@@ -72,6 +72,20 @@ class Element {
   std::string pointer_;
 };
 
+// Returns the text of a member that earlier versions call `oldKey`.
+std::string text(const Element& object, const std::string& key, const std::string& oldKey) {
+  const Element element = object.member(key);
+  return element.isNull() ? object.member(oldKey).text() : element.text();
+}
+
+// Returns whether a verdict is positive. It is null if there is none, and earlier versions call it `agree`.
+bool agreement(const Element& report) {
+  const Element agrees = report.member("agrees");
+  if (!agrees.isNull()) return agrees.flag();
+  const Element earlier = report.member("agree");
+  return !earlier.isNull() && earlier.flag();
+}
+
 // Calls `read` for the items of an array that may be null.
 template <class Read>
 void forEachItem(const Element& array, Read&& read) {
@@ -102,8 +116,7 @@ void readConformance(const Element& report, KitResults& results) {
 void readVerdicts(const Element& reports, KitResults& results) {
   forEachItem(reports, [&](const Element& report) {
     if (report.isNull()) return;
-    results.verdicts.push_back(
-        {report.member("scene").text(), report.member("agree").flag(), report.member("verdict").text()});
+    results.verdicts.push_back({report.member("scene").text(), agreement(report), report.member("verdict").text()});
   });
 }
 
@@ -126,7 +139,7 @@ void readRenders(const Element& reports, KitResults& results) {
 void readRays(const Element& reports, KitResults& results) {
   forEachRow(reports, [&](const Element& row) {
     results.rays.push_back(
-        {row.member("scene").text(), row.member("rays").text(),
+        {row.member("scene").text(), text(row, "rayKind", "rays"),
          fmt::format("layout={} loads={}", row.member("layout").text(), row.member("sceneLoads").text()),
          row.member("mraysPerSecond").numberOrZero()});
   });
@@ -176,8 +189,8 @@ KitResults readKitResults(const std::filesystem::path& file) {
   const json document = bench::readReport(file);
   const Element root(document, file.string(), "");
   const Element schema = root.member("schema");
-  if (schema.isNull() || schema.text() != "candela-kit/1")
-    schema.fail("\"candela-kit/1\" is expected: not results of the kit");
+  if (schema.isNull() || (schema.text() != "candela-kit/2" && schema.text() != "candela-kit/1"))
+    schema.fail("\"candela-kit/2\" is expected: not results of the kit");
   KitResults results;
   results.version = root.member("version").text();
   results.system = root.member("system").text();

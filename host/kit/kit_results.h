@@ -61,8 +61,8 @@ struct KitResults {
   std::string tuned;  ///< fastest settings, as text; empty if they were not measured
 };
 
-/// Reads a `results.json` with the schema "candela-kit/1". Steps without a result are null in it. Throws FileError,
-/// which names the file and the JSON pointer of the error.
+/// Reads a `results.json` with the schema "candela-kit/2" or "candela-kit/1". Steps without a result are null in it.
+/// Throws FileError, which names the file and the JSON pointer of the error.
 KitResults readKitResults(const std::filesystem::path& file);
 
 /// Returns the rows with the maximum speed of each scene, in the order of the file.

@@ -44,7 +44,7 @@ struct RenderStatistics {
   AccelKind structure = AccelKind::none;  ///< in use; a BVH of one leaf is a BVH, too
   std::string bvhSplit;    ///< "sah", "midpoint", or "median" (the reference's own rule); empty without a BVH
   std::string bvhQuality;  ///< "fast", "default" or "high"; empty unless a device's BVH is built by SAH
-  std::string layout;      ///< of a BVH's nodes: "bvh2" or "cwbvh"; "row": none, the scene is small; else empty
+  std::string layout;      ///< of a BVH's nodes: "bvh2" or "cwbvh"; "list": none, the scene is small; else empty
   std::string kernel;      ///< "megakernel", "wavefront", "whitted", "views" or "reference"
   Extent workgroup{};      ///< in use; 0x0 for the reference
   Extent tile{};           ///< maximum region of one dispatch

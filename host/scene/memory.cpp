@@ -2,6 +2,7 @@
 #include "host/scene/memory.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace candela::scene {
 namespace {
@@ -45,6 +46,14 @@ SceneMemory memoryOf(const Scene& scene) {
     for (const SkyFace& face : scene.sky->faces) memory.total += face.rgb.size();
   }
   return memory;
+}
+
+nlohmann::ordered_json toJson(const SceneMemory& memory) {
+  const std::optional<double> perTriangle = memory.bytesPerTriangle();
+  return {{"sceneBytes", memory.total},
+          {"bytesPerTriangle", perTriangle ? nlohmann::ordered_json(*perTriangle) : nlohmann::ordered_json()},
+          {"textureBytes", memory.textures},
+          {"deepTextureBytes", memory.deepTextures}};
 }
 
 }  // namespace candela::scene

@@ -1,6 +1,7 @@
 // The amount of memory that a scene occupies.
 #pragma once
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "host/scene/scene.h"
@@ -20,5 +21,7 @@ struct SceneMemory {
 };
 
 SceneMemory memoryOf(const Scene& scene);
+/// Returns the member `memory` of JSON documents.
+nlohmann::ordered_json toJson(const SceneMemory& memory);
 
 }  // namespace candela::scene

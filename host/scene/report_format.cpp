@@ -15,8 +15,9 @@ using nlohmann::json;
 json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 json toJson(const Camera& camera) {
-  json object{{"from", toJson(camera.from)}, {"at", toJson(camera.at)}, {"up", toJson(camera.up)},
-              {"angle", camera.angle},       {"hither", camera.hither}, {"resolution", {camera.width, camera.height}},
+  json object{{"from", toJson(camera.from)}, {"at", toJson(camera.at)},
+              {"up", toJson(camera.up)},     {"angle", camera.angle},
+              {"hither", camera.hither},     {"size", fmt::format("{}x{}", camera.width, camera.height)},
               {"aperture", camera.aperture}, {"focal", camera.focal}};
   if (camera.orthographicHeight) {
     object.erase("angle");
@@ -114,8 +115,8 @@ json toJson(const SceneReport& r) {
   const auto bounds = [](const Bounds& b) { return json{{"min", toJson(b.min)}, {"max", toJson(b.max)}}; };
   const auto camera = [](const Camera& c) { return toJson(c); };
   return {
-      {"name", r.name},
-      {"hash", hashText(r.hash)},
+      {"scene", r.name},
+      {"sceneHash", hashText(r.hash)},
       {"statements", r.statements},
       {"facts", std::map<std::string, std::string>(r.facts.begin(), r.facts.end())},
       {"primitives",
@@ -150,12 +151,8 @@ json toJson(const SceneReport& r) {
       {"skySide", orNull(r.skySide, same)},
       {"filmScale", r.filmScale},
       {"requestedAccel", orNull(r.requestedAccel, [](RequestedAccel accel) { return json(toText(accel)); })},
-      {"requestedSamples", orNull(r.requestedSamples, same)},
-      {"memory",
-       {{"bytes", r.memory.total},
-        {"bytesPerTriangle", orNull(r.memory.bytesPerTriangle(), same)},
-        {"textures", r.memory.textures},
-        {"deepTextures", r.memory.deepTextures}}},
+      {"requestedSamplesPerPixel", orNull(r.requestedSamples, same)},
+      {"memory", toJson(r.memory)},
       {"warnings", r.warnings},
   };
 }

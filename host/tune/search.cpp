@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/statistics/quantiles.h"
+
 namespace candela::tune {
 namespace {
 
 constexpr double kMadToSigma = 1.4826;
 constexpr double kErrorOfMedian = 1.2533;
 
-double medianSeconds(const bench::SweepRow& row) { return bench::median(row.measurement.traceSeconds); }
+double medianSeconds(const bench::SweepRow& row) { return statistics::median(row.measurement.traceSeconds); }
 
 // Returns the standard error of the median, relative to the median.
 double relativeError(const bench::SweepRow& row) {
@@ -19,7 +21,7 @@ double relativeError(const bench::SweepRow& row) {
   for (const double seconds : row.measurement.traceSeconds) deviations.push_back(std::abs(seconds - middle));
   std::sort(deviations.begin(), deviations.end());
   const double runs = static_cast<double>(deviations.size());
-  return middle > 0 ? kErrorOfMedian * kMadToSigma * bench::median(deviations) / (middle * std::sqrt(runs)) : 0;
+  return middle > 0 ? kErrorOfMedian * kMadToSigma * statistics::median(deviations) / (middle * std::sqrt(runs)) : 0;
 }
 
 // Returns the indices of the dimensions of a stage.
@@ -96,8 +98,8 @@ void confirm(std::uint32_t repeats, const Measure& measure, SearchResult& result
 // Scenes of few primitives are traced as a list, for which all layouts are the same program. Only noise would
 // distinguish them.
 bool hasBvh(const Row& row) {
-  return std::ranges::any_of(row.scenes,
-                             [](const bench::SweepRow& scene) { return scene.measurement.statistics.layout != "row"; });
+  return std::ranges::any_of(
+      row.scenes, [](const bench::SweepRow& scene) { return scene.measurement.statistics.layout != "list"; });
 }
 
 void dropLayouts(Round& round) {

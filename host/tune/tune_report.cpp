@@ -7,6 +7,7 @@
 
 #include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
+#include "host/statistics/quantiles.h"
 
 namespace candela::tune {
 namespace {
@@ -29,7 +30,8 @@ std::string sceneTitle(const SweepRow& row) {
 }
 
 std::string milliseconds(const SweepRow& row) {
-  return row.measurement.agrees ? fmt::format("{:.1f}", 1e3 * bench::median(row.measurement.traceSeconds)) : "differs";
+  return row.measurement.agrees ? fmt::format("{:.1f}", 1e3 * statistics::median(row.measurement.traceSeconds))
+                                : "differs";
 }
 
 TextTable tableOf(const TuneReport& report) {
@@ -86,10 +88,9 @@ ordered_json rowsJson(const SearchResult& result) {
   ordered_json rows = ordered_json::array();
   for (const Round& round : result.rounds) {
     for (const Row& row : round.rows) {
-      ordered_json json{
-          {"round", round.purpose}, {"choice", candidateJson(row.candidate)}, {"sameImage", row.agrees()}};
+      ordered_json json{{"round", round.purpose}, {"choice", candidateJson(row.candidate)}, {"agrees", row.agrees()}};
       if (const double times = gain(round.rows.front(), row); times > 0) {
-        json["timesAsFast"] = times;
+        json["speedup"] = times;
         json["noise"] = noise(round.rows.front(), row);
       }
       for (const SweepRow& scene : row.scenes) {
@@ -113,11 +114,12 @@ std::string toMarkdown(const TuneReport& report) {
 
 ordered_json toJson(const TuneReport& report) {
   const render::RenderStatistics& statistics = statisticsOf(report);
-  ordered_json json = bench::reportJson("candela-tune-report/2", statistics.device, statistics.driver, report.repeats);
+  ordered_json json = bench::reportJson("candela-tune-report/2", statistics.device, statistics.driver, report.repeats,
+                                        report.agree());
   json["rows"] = rowsJson(report.result);
   json["builtIn"] = candidateJson(builtIn());
   json["chosen"] = report.result.builtInAgrees ? candidateJson(report.result.chosen) : ordered_json();
-  json["timesAsFast"] = report.result.chosenGain;
+  json["speedup"] = report.result.chosenGain;
   json["noise"] = report.result.chosenNoise;
   json["file"] = report.file ? ordered_json(report.file->string()) : ordered_json();
   return json;

@@ -110,14 +110,18 @@ std::string PixelAgreement::causesText() const {
   return text;
 }
 
-nlohmann::ordered_json PixelAgreement::causesJson() const {
-  nlohmann::ordered_json json;
-  for (std::size_t i = 0; i < causes.size(); ++i) json[kCauseNames[i]] = causes[i];
+nlohmann::ordered_json PixelAgreement::json() const {
+  nlohmann::ordered_json json{{"agrees", agree()},
+                              {"count", pixels},
+                              {"equal", equal},
+                              {"equalFraction", share()},
+                              {"lit", lit},
+                              {"litEqual", litEqual},
+                              {"litEqualFraction", litShare()}};
+  for (std::size_t i = 0; i < causes.size(); ++i) json["causes"][kCauseNames[i]] = causes[i];
+  json["worst"] = {{"difference", worst}, {"x", worstX}, {"y", worstY}};
+  json["decisions"] = decisions.json();
   return json;
-}
-
-nlohmann::ordered_json PixelAgreement::worstJson() const {
-  return {{"difference", worst}, {"x", worstX}, {"y", worstY}};
 }
 
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
@@ -164,23 +168,15 @@ std::string AgreementReport::toText() const {
 
 nlohmann::ordered_json AgreementReport::toJson() const {
   nlohmann::ordered_json json = reportHead("candela-compare-tracers/1");
-  json.update({{"scene", scene},
-               {"device", deviceStatistics.device},
-               {"driver", deviceStatistics.driver},
-               {"agree", agree()},
-               {"interrupted", interrupted},
-               {"pixels",
-                {{"count", pixels.pixels},
-                 {"equal", pixels.equal},
-                 {"share", pixels.share()},
-                 {"lit", pixels.lit},
-                 {"litEqual", pixels.litEqual},
-                 {"litShare", pixels.litShare()},
-                 {"causes", pixels.causesJson()},
-                 {"worst", pixels.worstJson()},
-                 {"decisions", pixels.decisions.json()}}}});
+  json["scene"] = scene;
+  json["device"] = deviceStatistics.device;
+  json["driver"] = deviceStatistics.driver;
+  json["interrupted"] = interrupted;
+  json["agrees"] = nullptr;
   if (interrupted) return json;
-  json["mean"] = {{"samples", samples},
+  json["agrees"] = agree();
+  json["pixels"] = pixels.json();
+  json["mean"] = {{"samplesPerPixel", samples},
                   {"device", image().deviceMean},
                   {"reference", image().referenceMean},
                   {"relativeDifference", std::abs(image().relativeDifference())},

@@ -40,8 +40,7 @@ struct PixelAgreement {
   bool agree() const { return decisions.agrees(); }
   /// Returns the causes with their counts, and the position of the maximum difference.
   std::string causesText() const;
-  nlohmann::ordered_json causesJson() const;
-  nlohmann::ordered_json worstJson() const;
+  nlohmann::ordered_json json() const;
 };
 
 struct AgreementReport : RegionTests {

@@ -193,9 +193,10 @@ std::string DecisionTest::text() const {
 }
 
 nlohmann::ordered_json DecisionTest::json() const {
-  return {{"possible", isPossible},
+  return {{"agrees", isPossible ? nlohmann::ordered_json(agrees()) : nlohmann::ordered_json()},
+          {"possible", isPossible},
           {"undecidable", undecidable},
-          {"undecidableShare", undecidableShare()},
+          {"undecidableFraction", undecidableShare()},
           {"amplification", amplification},
           {"amplificationVertex", vertex},
           {"replicas", kReplicas},

@@ -126,7 +126,7 @@ std::string toText(const FilmTestResult& result) {
 
 nlohmann::ordered_json toJson(const FilmTestResult& result) {
   nlohmann::ordered_json json{
-      {"differs", result.differs()}, {"verdict", result.verdict()}, {"alpha", result.alpha}, {"level", result.level}};
+      {"agrees", !result.differs()}, {"verdict", result.verdict()}, {"alpha", result.alpha}, {"level", result.level}};
   for (const RegionResult& region : result.regions) json["regions"].push_back(regionJson(region, "mean"));
   return json;
 }

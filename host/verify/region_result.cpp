@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host/render/extent.h"
 #include "host/verify/agreement.h"
 
 namespace candela::verify {
@@ -47,10 +48,7 @@ std::string differenceText(const RegionResult& result) {
 }
 
 nlohmann::ordered_json regionJson(const RegionResult& result, const char* firstName) {
-  return {{"x", result.region.x},
-          {"y", result.region.y},
-          {"width", result.region.width},
-          {"height", result.region.height},
+  return {{"window", render::windowText({result.region.x, result.region.y, result.region.width, result.region.height})},
           {"tileSize", result.region.tileSize},
           {"quantity", quantityName(result.region.quantity)},
           {firstName, result.deviceMean},
@@ -62,7 +60,7 @@ nlohmann::ordered_json regionJson(const RegionResult& result, const char* firstN
           {"t", result.test.t},
           {"pValue", result.test.pValue},
           {"detectableBias", result.detectableBias},
-          {"differs", result.differs}};
+          {"agrees", !result.differs}};
 }
 
 }  // namespace candela::verify

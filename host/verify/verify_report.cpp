@@ -79,23 +79,15 @@ std::string differenceVerdict(const VerifyReport& report) {
   return "Device and reference agree with each other, but NOT with the exact result that the scene states.";
 }
 
-ordered_json pathsJson(const PixelAgreement& paths) {
-  return {{"agree", paths.agree()},       {"pixels", paths.pixels},
-          {"share", paths.share()},       {"lit", paths.lit},
-          {"litShare", paths.litShare()}, {"causes", paths.causesJson()},
-          {"worst", paths.worstJson()},   {"decisions", paths.decisions.json()}};
-}
-
 ordered_json lightJson(const LightTestResult& light, const LightTestOptions& options) {
-  ordered_json json{{"differs", light.differs()},
+  ordered_json json{{"agrees", !light.differs()},
                     {"test", options.method == LightTestMethod::paired ? "paired" : "independent"},
                     {"bias", light.bias},
                     {"samplesPerPixel", light.samplesPerPixel},
                     {"information", light.information},
                     {"looks", light.looks},
                     {"level", light.level},
-                    {"outOfTime", light.outOfTime},
-                    {"badSamples", light.badSamples.samples()}};
+                    {"outOfTime", light.outOfTime}};
   for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
   return json;
 }
@@ -139,17 +131,17 @@ ordered_json toJson(const VerifyReport& report) {
   json["scene"] = report.scene;
   json["device"] = report.deviceStatistics.device;
   json["driver"] = report.deviceStatistics.driver;
-  json["agree"] = report.agree();
   json["interrupted"] = report.interrupted;
+  json["agrees"] = report.interrupted ? ordered_json() : ordered_json(report.agree());
   json["verdict"] = report.verdict();
   json["alpha"] = report.options.alpha;
   json["bias"] = report.light.bias;
   json["seconds"] = report.seconds;
   if (report.interrupted) return json;
-  json["samePaths"] = pathsJson(report.paths);
+  json["samePaths"] = report.paths.json();
   json["sameLight"] = lightJson(report.light, report.options);
   if (report.exact) {
-    json["rightLight"] = {{"met", report.exact->isMet()},
+    json["rightLight"] = {{"agrees", report.exact->isMet()},
                           {"expected", report.exact->expected},
                           {"device", report.exact->device},
                           {"reference", report.exact->reference},

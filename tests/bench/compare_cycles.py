@@ -72,7 +72,7 @@ def run_cycles(options, scene, film, size, spp, seed, extra):
 def time_candela(options, scene, film, seed, runs):
     _, start_seconds = run_candela(options, scene, film, options.size, 1, seed, runs.extra)
     report, processor_seconds = run_candela(options, scene, film, options.size, options.spp, seed, runs.extra)
-    runs.seconds.append(report["seconds"]["trace"])
+    runs.seconds.append(report["phaseSeconds"]["trace"])
     # The start had one sample per pixel, too.
     runs.processor_seconds.append((processor_seconds - start_seconds) * options.spp / (options.spp - 1))
     runs.rays_per_sample = report["rays"]["total"] / report["samples"]

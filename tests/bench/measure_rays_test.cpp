@@ -98,12 +98,12 @@ TEST_CASE("a tracer with other hits has no figures, unless the difference is wit
   CHECK_THAT(toText(report), Contains("differs"));
   const auto json = toJson(report);
   CHECK(json["schema"] == "candela-bench/2");
-  CHECK(json["rows"][0]["sameHits"] == true);
+  CHECK(json["rows"][0]["agrees"] == true);
   for (const char* key :
-       {"scene", "sceneHash", "rays", "layout", "sceneLoads", "medianMs", "spread", "mraysPerSecond"}) {
+       {"scene", "sceneHash", "rayKind", "layout", "sceneLoads", "medianSeconds", "spread", "mraysPerSecond"}) {
     CHECK(json["rows"][0].contains(key));
   }
-  CHECK(json["rows"][2]["sameHits"] == false);
+  CHECK(json["rows"][2]["agrees"] == false);
   CHECK_FALSE(json["rows"][2].contains("mraysPerSecond"));
 }
 

@@ -28,15 +28,6 @@ std::vector<Measurement> measure(std::vector<ScriptedRun> script, std::uint32_t 
 const std::vector<ScriptedRun> kNineRuns{{1, 1.0}, {1, 2.0}, {1, 3.0}, {1, 9.0}, {1, 2.0},
                                          {1, 3.0}, {1, 2.0}, {1, 2.0}, {1, 3.0}};
 
-TEST_CASE("the median is the middle value, or the mean of the two middle ones") {
-  CHECK(median({}) == 0);
-  CHECK(median(std::vector{3.0}) == 3);
-  CHECK(median(std::vector{1.0, 2.0, 9.0}) == 2);
-  CHECK(median(std::vector{1.0, 2.0, 4.0, 9.0}) == 3);
-  CHECK(spread(std::vector{1.0, 2.0, 4.0}) == 1.5);
-  CHECK(spread({}) == 0);
-}
-
 TEST_CASE("every variant runs once before any runs twice") {
   FakeRenderer renderer(std::vector<ScriptedRun>(6));
   measureInterleaved(renderer, scene::Scene{}, threeVariants(), 2, {});

@@ -36,7 +36,7 @@ TEST_CASE("few primitives, which are traced as a list, are not called a BVH") {
   report.rows[2].measurement.statistics.structure = render::AccelKind::bvh;
   report.rows[2].measurement.statistics.bvhSplit = "sah";
   CHECK_THAT(toText(report), Contains("BVH, SAH") && !Contains("list"));
-  report.rows[2].measurement.statistics.layout = "row";
+  report.rows[2].measurement.statistics.layout = "list";
   CHECK_THAT(toText(report), Contains("list (too few primitives for a BVH)") && !Contains("BVH, SAH"));
 }
 
@@ -44,9 +44,9 @@ TEST_CASE("a structure whose image differs has no figures") {
   const StructureReport report = structureReportOf({{1, 2.0}, {7, 0.5}, {1, 3.0}});
   CHECK_FALSE(report.agree());
   const auto document = toJson(report);
-  CHECK(document["rows"][0]["medianMs"] == 2000.0);
-  CHECK(document["rows"][1]["sameImage"] == false);
-  CHECK_FALSE(document["rows"][1].contains("medianMs"));
+  CHECK(document["rows"][0]["medianSeconds"] == 2.0);
+  CHECK(document["rows"][1]["agrees"] == false);
+  CHECK_FALSE(document["rows"][1].contains("medianSeconds"));
   CHECK_THAT(toText(report), Contains("differs") && Contains("2.00") && !Contains("0.50"));
 }
 
@@ -64,8 +64,9 @@ TEST_CASE("JSON has the schema, and the scene, images and rates of each row") {
   const auto document = toJson(structureReportOf({{1}, {1}, {1}}));
   CHECK(document["schema"] == "candela-bench/2");
   const auto& row = document["rows"][0];
-  for (const char* key : {"scene", "sceneHash", "filmHash", "workgroup", "segmentsPerDispatch", "kernel", "layout",
-                          "msamplesPerSecond", "mraysPerSecond", "medianMs", "spread", "buildMs", "stepsPerRay"}) {
+  for (const char* key :
+       {"scene", "sceneHash", "filmHash", "workgroup", "segmentsPerDispatch", "kernel", "layout", "msamplesPerSecond",
+        "mraysPerSecond", "medianSeconds", "spread", "buildSeconds", "stepsPerRay"}) {
     CHECK(row.contains(key));
   }
   CHECK(row["sceneHash"] == "0000000000001234");

@@ -99,14 +99,14 @@ TEST_CASE("adaptive: reports, films and images state the numbers of samples") {
   const auto report = nlohmann::json::parse(result.out)["adaptive"];
   CHECK(report["minSamples"] == 16);
   CHECK(report["maxSamples"] == 96);
-  CHECK(report["samplesSaved"].get<double>() == Approx(1 - report["meanSamples"].get<double>() / 96));
+  CHECK(report["savedFraction"].get<double>() == Approx(1 - report["meanSamples"].get<double>() / 96));
   CHECK(report["halfRegions"].contains("16"));
   CHECK(report["meanError"] > 0);
   CHECK(report["maxError"] >= report["meanError"]);
   const auto described = nlohmann::json::parse(runCandela({"film", film, "--json", "-"}).out);
   CHECK(described["adaptive"] == report);
   CHECK(described["complete"] == true);
-  CHECK(described["settings"]["noise-threshold"] == "0.2");
+  CHECK(described["settings"]["noiseThreshold"] == 0.2);
   CHECK_THAT(runCandela({"film", film}).out, Contains("16 to 96 samples per pixel"));
   const image::Image image = image::readImage(picture);
   CHECK_THAT(image.metadata.at("candela.bias"), Contains("--noise-threshold 0.2"));

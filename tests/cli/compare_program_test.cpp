@@ -53,9 +53,9 @@ TEST_CASE("the verdict is relMSE against the tolerance") {
   const json report = json::parse(runCandela({"compare", a, b, "--json", "-"}).out);
   CHECK(report["relativeMeanSquaredError"].get<double>() == Approx(0.0625 / 0.26));
   CHECK(report["relativeMeanDifference"].get<double>() == Approx(0.5));
-  CHECK(report["maximumDifference"].get<double>() == Approx(0.25));
-  CHECK(report["differingShare"] == 1.0);
-  CHECK(report["flipMean"].get<double>() > 0);
+  CHECK(report["worst"]["difference"].get<double>() == Approx(0.25));
+  CHECK(report["differingFraction"] == 1.0);
+  CHECK(report["meanFlip"].get<double>() > 0);
 }
 
 TEST_CASE("pictures of the differences are written on request") {

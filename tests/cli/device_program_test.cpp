@@ -77,7 +77,7 @@ TEST_CASE("requested settings are used and change no bit of the film", "[swiftsh
   CHECK(high["bvhQuality"] == "high");
   const json chopped = reportOf(scene, {"--segments-per-dispatch", "1", "--tile", "5x7"});
   CHECK(chopped["segmentsPerDispatch"] == 1);
-  CHECK(chopped["dispatch"]["count"] > plain["dispatch"]["count"]);
+  CHECK(chopped["dispatches"]["count"] > plain["dispatches"]["count"]);
   const json waves = reportOf(scene, {"--kernel", "wavefront"});
   CHECK(plain["kernel"] == "megakernel");
   CHECK(waves["kernel"] == "wavefront");
@@ -154,7 +154,7 @@ TEST_CASE("verify finds the same light on both sides and writes text, JSON and J
   INFO(result.out << result.err);
   REQUIRE(result.exitCode == 0);
   const json report = json::parse(result.out);
-  CHECK(report["agree"] == true);
+  CHECK(report["agrees"] == true);
   CHECK(report["bias"] == 0.05);
   CHECK(report["sameLight"]["information"] == 1.0);
   CHECK(report["sameLight"]["regions"][0]["detectableBias"] < 0.06);
@@ -204,7 +204,7 @@ TEST_CASE("two tracers that agree on bad samples fail only with --strict, and ha
     INFO(result.out << result.err);
     REQUIRE(result.exitCode == 3);
     const json report = json::parse(result.out);
-    CHECK(report["agree"] == true);
+    CHECK(report["agrees"] == true);
     CHECK(report["badSamples"]["device"]["samples"] > 0);
     CHECK(report["badSamples"]["device"]["pixels"] == report["badSamples"]["reference"]["pixels"]);
     CHECK(contains(result.err, "device: "));

@@ -38,8 +38,8 @@ TEST_CASE("doctor finds that a render works, although the cache folder is a file
   INFO(result.out << result.err);
   REQUIRE(result.exitCode == 0);
   const json report = json::parse(result.out);
-  CHECK(report["renderWorks"] == true);
-  CHECK(report["comparison"]["agree"] == true);
+  CHECK(report["agrees"] == true);
+  CHECK(report["comparison"]["agrees"] == true);
   CHECK(report["devices"][0]["name"] == report["device"]);
   CHECK(checkNamed(report, "test picture")["status"] == "ok");
   CHECK(checkNamed(report, "driver missing.json")["status"] == "warning");

@@ -29,7 +29,7 @@ TEST_CASE("explain prints two equal paths as text and as JSON") {
   CHECK_THAT(result.out, Contains("a.p3f, pixel 8,6, sample 3, seed 2: ") && Contains("The two paths agree: ") &&
                              Contains("\ncamera\n") && Contains("\nvertex 1\n") && Contains("\nsample\n"));
   const json report = json::parse(readText(file));
-  CHECK(report["equal"] == true);
+  CHECK(report["agrees"] == true);
   CHECK(report["sample"] == 3);
   CHECK(report["stages"].size() == 2 + report["vertexCount"]["device"].get<std::size_t>());
 }
@@ -40,7 +40,7 @@ TEST_CASE("explain without --pixel explains the pixel that differs most, or repo
   const ProgramResult few = explainOnDevice({"explain", scene, "--size", "8x8", "--json", "-"});
   INFO(few.out << few.err);
   REQUIRE(few.exitCode == 0);
-  CHECK(json::parse(few.out)["equal"] == true);
+  CHECK(json::parse(few.out)["agrees"] == true);
   CHECK_THAT(explainOnDevice({"explain", scene, "--size", "8x8"}).out,
              Contains("Nothing to explain: at one sample all 64 pixels are equal."));
 }

@@ -66,7 +66,7 @@ TEST_CASE("a film of a device is not resumed or merged with the reference, unles
   CHECK_THAT(runCandela({"merge", a, b, "-o", merged}).err, Catch::Contains("--mixed-devices"));
   CHECK(runCandela({"merge", a, b, "-o", merged, "--mixed-devices"}).exitCode == 0);
   const auto description = nlohmann::json::parse(runCandela({"film", merged, "--json", "-"}).out);
-  CHECK(description["isMixed"] == true);
+  CHECK(description["mixed"] == true);
   CHECK(description["tracers"].size() == 2);
   CHECK(description["complete"] == true);
 }

@@ -128,13 +128,13 @@ TEST_CASE("a film names every option that decides the image or how the scene is 
   const std::string film = folder.path("film.exr");
   kReference.film(folder.write("a.p3f", smallScene()), film);
   const json settings = json::parse(runCandela({"film", film, "--json", "-"}).out)["settings"];
-  for (const char* name : {"integrator", "sampler", "max-depth", "one-sided", "lenient", "camera", "time"}) {
+  for (const char* name : {"integrator", "sampler", "maxDepth", "oneSided", "lenient", "camera", "time"}) {
     CHECK(settings.contains(name));
   }
-  CHECK_FALSE(settings.contains("allow-path"));
+  CHECK_FALSE(settings.contains("allowPath"));
   CHECK(settings["camera"].is_null());
   CHECK(settings["time"].is_null());
-  CHECK(settings["max-depth"] == "64");
+  CHECK(settings["maxDepth"] == 64);
   CHECK_THAT(runCandela({"film", film}).out, Contains("settings         --max-depth 64\n"));
 }
 

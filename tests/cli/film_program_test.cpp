@@ -184,8 +184,8 @@ TEST_CASE("with --resume-anyway a film is resumed, and stays marked as mixed") {
   CHECK(result.exitCode == 0);
   CHECK_THAT(result.err, Contains("--resume-anyway: --seed is 0 in the film"));
   const json description = json::parse(runCandela({"film", mixed, "--json", "-"}).out);
-  CHECK(description["isMixed"] == true);
-  CHECK(description["mixed"] == json{"--seed is 0 in an earlier part and 1 in a later part"});
+  CHECK(description["mixed"] == true);
+  CHECK(description["ignoredDifferences"] == json{"--seed is 0 in an earlier part and 1 in a later part"});
   CHECK(description["samples"] == 48 * 36 * 12);
 }
 

@@ -35,15 +35,14 @@ TEST_CASE("a render with bad samples reports their number, positions and replays
   const image::Image image = image::readImage(exr);
   CHECK(image.badSampleCounts[4 * 8 + 4] == 4);
   CHECK(image.badSampleCounts[0] == 0);
-  CHECK(statistics["badSamples"] == badSampleCount(image));
+  CHECK(statistics["badSamples"]["samples"] == badSampleCount(image));
   const auto badPixels = image.badSampleCounts.size() -
                          static_cast<std::size_t>(
                              std::count(image.badSampleCounts.begin(), image.badSampleCounts.end(), 0u));
-  CHECK(statistics["badPixels"] == badPixels);
-  REQUIRE(statistics["firstBadPixels"].size() == std::min<std::size_t>(badPixels, 5));
-  const json& first = statistics["firstBadPixels"][0];
-  CHECK(first["badSamples"] ==
-        image.badSampleCounts[first["y"].get<std::size_t>() * 8 + first["x"].get<std::size_t>()]);
+  CHECK(statistics["badSamples"]["pixels"] == badPixels);
+  REQUIRE(statistics["badSamples"]["firstPixels"].size() == std::min<std::size_t>(badPixels, 5));
+  const json& first = statistics["badSamples"]["firstPixels"][0];
+  CHECK(first["samples"] == image.badSampleCounts[first["y"].get<std::size_t>() * 8 + first["x"].get<std::size_t>()]);
   CHECK_THAT(result.err, Contains(first["replay"].get<std::string>()));
 }
 
@@ -60,7 +59,7 @@ TEST_CASE("the option --strict exits with 3 after bad samples and still writes t
   // Files remember what they were made of.
   const ProgramResult plain = runCandela({"compare", exr, exr, "--tolerance", "0", "--json", "-"});
   CHECK(plain.exitCode == 0);
-  CHECK(json::parse(plain.out)["badSamples"] == 2 * image::badSampleCount(image::readImage(exr)));
+  CHECK(json::parse(plain.out)["badSamples"]["b"]["samples"] == image::badSampleCount(image::readImage(exr)));
   CHECK_THAT(plain.err, Contains("the files contain"));
   CHECK(runCandela({"compare", exr, exr, "--tolerance", "0", "--strict"}).exitCode == 3);
 }

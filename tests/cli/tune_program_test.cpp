@@ -88,7 +88,7 @@ TEST_CASE("tune stores its result for this device and reports its measurements",
   CHECK_THAT(tuned.out, Contains("chosen: layout=") && Contains("stored in " + home.cache()));
   const json report = json::parse(readText(home.path("report.json")));
   CHECK(report["rows"].size() >= 4 + 5);
-  for (const json& row : report["rows"]) CHECK(row["sameImage"] == true);
+  for (const json& row : report["rows"]) CHECK(row["agrees"] == true);
   REQUIRE(home.kept().size() == 1);
   CHECK(report["file"] == home.kept().front());
   CHECK(json::parse(readText(home.kept().front()))["choice"] == report["chosen"]);

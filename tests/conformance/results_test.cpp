@@ -40,12 +40,12 @@ TEST_CASE("JSON has every case, the counts and the device") {
   const nlohmann::ordered_json json = toJson(madeRun(), madeDevice(), 3);
   CHECK(json["schema"] == "candela-conformance/2");
   CHECK(json["device"] == "made & device");
-  CHECK(json["expected"] == false);
+  CHECK(json["agrees"] == false);
   CHECK(json["counts"]["Pass"] == 1);
   CHECK(json["counts"]["UnexpectedImprovement"] == 1);
   CHECK(json["cases"].size() == 4);
   CHECK(json["cases"][1]["result"] == "Fail");
-  CHECK(json["cases"][1]["expected"] == false);
+  CHECK(json["cases"][1]["agrees"] == false);
   CHECK(json["cases"][1]["text"] == "x < y & \"z\"\nsecond line");
 }
 

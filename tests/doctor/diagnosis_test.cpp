@@ -15,7 +15,7 @@ Diagnosis diagnosisOf(TrialOutcome outcome) {
   diagnosis.devices[0].type = "CPU";
   diagnosis.device = diagnosis.devices[0];
   diagnosis.checks = {{"part", Status::ok, "in order", ""}, {"other part", Status::warning, "slow", "wait"}};
-  diagnosis.trial = Trial{outcome, {"test picture", Status::ok, "", ""}, {{"agree", true}}};
+  diagnosis.trial = Trial{outcome, {"test picture", Status::ok, "", ""}, {{"agrees", true}}};
   return diagnosis;
 }
 
@@ -48,16 +48,16 @@ TEST_CASE("control characters do not reach the terminal") {
 TEST_CASE("the JSON has the documented members") {
   const nlohmann::ordered_json json = toJson(diagnosisOf(TrialOutcome::works));
   CHECK(json["schema"] == "candela-doctor/2");
-  CHECK(json["renderWorks"] == true);
+  CHECK(json["agrees"] == true);
   CHECK(json["exitCode"] == 0);
   CHECK(json["verdict"].is_string());
   CHECK(json["device"] == "made device");
   CHECK(json["checks"][1] ==
         nlohmann::ordered_json{{"name", "other part"}, {"status", "warning"}, {"text", "slow"}, {"remedy", "wait"}});
   CHECK(json["devices"][0]["name"] == "made device");
-  CHECK(json["comparison"]["agree"] == true);
+  CHECK(json["comparison"]["agrees"] == true);
   const nlohmann::ordered_json none = toJson(Diagnosis{});
-  CHECK(none["renderWorks"] == false);
+  CHECK(none["agrees"].is_null());
   CHECK(none["exitCode"] == 4);
   CHECK(none["device"].is_null());
   CHECK(none["comparison"].is_null());

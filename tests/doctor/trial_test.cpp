@@ -29,7 +29,7 @@ TEST_CASE("a device that renders like the reference works") {
   CHECK(trial.outcome == TrialOutcome::works);
   CHECK(trial.check.status == Status::ok);
   CHECK(trial.check.remedy.empty());
-  CHECK(trial.agreement["report"]["agree"] == true);
+  CHECK(trial.agreement["report"]["agrees"] == true);
 }
 
 TEST_CASE("a device that traces other paths is wrong") {

@@ -194,7 +194,7 @@ TEST_CASE("a path with more vertices than are recorded is marked") {
 TEST_CASE("JSON has each quantity by name, and the first that differs") {
   const auto json = toJson(explainChanged([](render::PathTrace& path) { path.vertices[0].light->bsdfPdf = 0.5; }));
   CHECK(json["schema"] == "candela-explain/2");
-  CHECK(json["equal"] == false);
+  CHECK(json["agrees"] == false);
   CHECK(json["pixel"] == nlohmann::ordered_json({3, 4}));
   CHECK(json["firstDifference"]["stage"] == "vertex 1");
   CHECK(json["firstDifference"]["quantity"] == "lightBsdfPdf");
@@ -206,7 +206,7 @@ TEST_CASE("JSON has each quantity by name, and the first that differs") {
   CHECK(vertex["lightBsdfPdf"]["apart"] == 0.5);
   CHECK(vertex["bsdfU"]["device"] == 0.3125);
   CHECK(vertex["position"]["device"] == nlohmann::ordered_json({0.0, -1.0, 0.0}));
-  CHECK(json["stages"].back()["radiance"]["differs"] == false);
+  CHECK(json["stages"].back()["radiance"]["agrees"] == true);
 }
 
 TEST_CASE("integrators without paths are refused with an alternative") {

@@ -142,7 +142,7 @@ TEST_CASE("`--fallback cpu` finishes a render on the reference, and marks the fi
   REQUIRE(result.exitCode == 0);
   const auto description = nlohmann::json::parse(runCandela({"film", film, "--json", "-"}).out);
   CHECK(description["complete"] == true);
-  CHECK(description["isMixed"] == true);
+  CHECK(description["mixed"] == true);
   CHECK(description["tracers"].size() == 2);
 }
 

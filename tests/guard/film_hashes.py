@@ -89,7 +89,7 @@ class Renderer:
         if done.returncode != 0:
             raise RenderError(f"exit code {done.returncode}: {shlex.join(command)}\n{done.stderr}")
         report = json.loads(done.stdout)
-        if "layout" in settings and report["layout"] == "row":
+        if "layout" in settings and report["layout"] == "list":
             raise NotApplicable(f"{scene.name} --layout {settings['layout']}: the scene has no BVH")
         for option, key in REPORTED_AS.items():
             if option in settings and report[key] != settings[option]:

@@ -96,7 +96,7 @@ TEST_CASE("a pixel that is lit where the reference is black has an infinite rela
 TEST_CASE("the JSON of a comparison contains its numbers, and null for infinity") {
   const ImageComparison c = compareImages(row({{1, 1, 2}}), row({{1, 1, 2}}));
   const nlohmann::json json = nlohmann::json::parse(toJson(c).dump());
-  CHECK(json.at("width") == 1);
+  CHECK(json.at("size") == "1x1");
   CHECK(json.at("mean") == nlohmann::json({1.0, 1.0, 2.0}));
   CHECK(json.at("meanSquaredError") == 0.0);
   CHECK(json.at("peakSignalToNoise").is_null());

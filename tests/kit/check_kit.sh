@@ -19,6 +19,6 @@ newest=$(objdump -T "$kit/candela" | grep -o 'GLIBC_2\.[0-9]*' | sort -t. -k2 -n
 [ "$(printf '%s\n' "${newest#GLIBC_2.}" 36 | sort -n | tail -n 1)" = 36 ] || { echo "the program needs $newest"; exit 1; }
 
 "$kit/run.sh" --quick -o "$work/results"
-grep -q '"schema": "candela-kit/1"' "$work/results/results.json"
+grep -q '"schema": "candela-kit/2"' "$work/results/results.json"
 grep -q '| cornell.p3f |' "$work/results/results.md"
 ! grep -q 'exit code' "$work/results/results.md"

@@ -9,7 +9,7 @@ namespace candela {
 namespace {
 
 constexpr const char*
-    kResults = R"({"schema": "candela-kit/1", "version": "0.2.0", "system": "Linux", "processor": "A processor",
+    kResults = R"({"schema": "candela-kit/2", "version": "0.2.0", "system": "Linux", "processor": "A processor",
   "quick": true, "steps": [], "conformance": {"device": "A GPU", "driver": "driver 1", "counts": {"Pass": 1}, "cases": []},
   "verify": [], "bench": [], "rays": [], "tune": null})";
 

@@ -24,7 +24,7 @@ json madeRow(const char* scene, const char* variant, double speed) {
 
 json madeRays(const char* kind, const char* layout, double speed) {
   return {
-      {"scene", "room.p3f"}, {"rays", kind}, {"layout", layout}, {"sceneLoads", "texel"}, {"mraysPerSecond", speed}};
+      {"scene", "room.p3f"}, {"rayKind", kind}, {"layout", layout}, {"sceneLoads", "texel"}, {"mraysPerSecond", speed}};
 }
 
 json report(const std::string& device) { return {{"device", device}, {"driver", device + " driver 1"}}; }
@@ -36,13 +36,13 @@ json madeResults(const std::string& device, double speed) {
   conformance["cases"] = {madeCase("leaf.a", "Pass"), madeCase("leaf.b", "Skip"), madeCase("control.c", "Fail")};
   json verify = report(device);
   verify.update(
-      {{"scene", "cornell.p3f"}, {"agree", true}, {"verdict", "Device and reference compute the same light."}});
+      {{"scene", "cornell.p3f"}, {"agrees", true}, {"verdict", "Device and reference compute the same light."}});
   json bench = report(device);
   bench["rows"] = {madeRow("cornell.p3f", "kernel=wavefront", speed / 2),
                    madeRow("cornell.p3f", "kernel=megakernel", speed)};
   json rays = report(device);
   rays["rows"] = {madeRays("primary", "bvh2", 10), madeRays("primary", "cwbvh", 20), madeRays("shadow", "cwbvh", 30)};
-  return {{"schema", "candela-kit/1"},
+  return {{"schema", "candela-kit/2"},
           {"version", "0.2.0"},
           {"system", "Linux"},
           {"processor", "A processor"},
@@ -118,7 +118,7 @@ TEST_CASE("a damaged results file is refused with the place of its fault") {
     const char* message;
   };
   for (const Fault& fault :
-       std::vector<Fault>{{json::json_pointer("/schema"), "candela-bench/1", "/schema: \"candela-kit/1\" is expected"},
+       std::vector<Fault>{{json::json_pointer("/schema"), "candela-bench/1", "/schema: \"candela-kit/2\" is expected"},
                           {json::json_pointer("/quick"), 1, "/quick: true or false is expected"},
                           {json::json_pointer("/bench/1/rows/0/msamplesPerSecond"), "fast",
                            "/bench/1/rows/0/msamplesPerSecond: a number"},
@@ -130,6 +130,25 @@ TEST_CASE("a damaged results file is refused with the place of its fault") {
     INFO(fault.message);
     CHECK_THROWS_WITH(read(results), Contains(fault.message) && Contains("results.json"));
   }
+}
+
+TEST_CASE("results of earlier versions are read under their names") {
+  json results = madeResults("A GPU", 12);
+  results["schema"] = "candela-kit/1";
+  for (json& report : results["rays"]) {
+    for (json& row : report["rows"]) {
+      row["rays"] = row["rayKind"];
+      row.erase("rayKind");
+    }
+  }
+  for (json& report : results["verify"]) {
+    report["agree"] = report["agrees"];
+    report.erase("agrees");
+  }
+  const KitResults today = read(madeResults("A GPU", 12)), earlier = read(results);
+  REQUIRE_FALSE(today.rays.empty());
+  CHECK(earlier.rays.at(0).kind == today.rays.at(0).kind);
+  CHECK(earlier.verdicts.at(0).agree);
 }
 
 TEST_CASE("results without any report are refused") {

@@ -98,11 +98,11 @@ def judged(outcome, scene, report):
         return False
     image = report["sameLight"]["regions"][0]
     outcome.difference = image["difference"] / image["reference"] if image["reference"] else 0
-    if report["agree"]:
+    if report["agrees"]:
         return False
     outcome.scene = scene
-    questions = [number for number, failed in (("1", not report["samePaths"]["agree"]), ("2", report["sameLight"]["differs"]),
-                                               ("3", not report.get("rightLight", {"met": True})["met"])) if failed]
+    questions = [number for number, failed in (("1", not report["samePaths"]["agrees"]), ("2", not report["sameLight"]["agrees"]),
+                                               ("3", not report.get("rightLight", {"agrees": True})["agrees"])) if failed]
     outcome.question = ", ".join(questions)
     return True
 

@@ -235,7 +235,7 @@ TEST_CASE("a requested structure is used even if a linear list would be faster",
   REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
   const render::RenderSettings settings = shortPaths(16, 1);
   const render::RenderResult row = renderOnDevice(scene, settings);
-  CHECK(row.statistics.layout == "row");
+  CHECK(row.statistics.layout == "list");
   const render::RenderResult midpoint = renderOnDevice(scene, along(kWays[2], settings));
   CHECK(midpoint.statistics.structureQuality.at("nodes") > 1);
   const render::RenderResult grid = renderOnDevice(scene, along(kWays[3], settings));

@@ -90,21 +90,21 @@ TEST_CASE("the text names statements in words, with their numbers") {
 TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   const LoadedScene loaded = load(kScene);
   const nlohmann::json json = toJson(makeReport(loaded));
-  CHECK(json["name"] == "test");
+  CHECK(json["scene"] == "test");
   CHECK(json["statements"]["sphere"] == 2);
   CHECK(json["primitives"]["total"] == 19);
   CHECK(json["bounds"]["min"] == nlohmann::json({-4, -2, -2}));
   CHECK(json["lights"]["triangles"] == 12);
   CHECK(json["materials"]["emitting"] == 1);
   CHECK(json["materials"]["glossy"] == 1);
-  CHECK(json["camera"]["resolution"] == nlohmann::json({64, 32}));
+  CHECK(json["camera"]["size"] == "64x32");
   CHECK(json["camera"]["from"] == nlohmann::json({0, 0, 9}));
-  CHECK(json["requestedSamples"] == 16);
+  CHECK(json["requestedSamplesPerPixel"] == 16);
   CHECK(json["skySide"].is_null());
-  CHECK(json["memory"]["bytes"] == memoryOf(loaded.scene).total);
+  CHECK(json["memory"]["sceneBytes"] == memoryOf(loaded.scene).total);
   CHECK(json["memory"]["bytesPerTriangle"] == *memoryOf(loaded.scene).bytesPerTriangle());
   CHECK(json["warnings"].size() == loaded.warnings.size());
-  CHECK(json["hash"].get<std::string>().size() == 16);
+  CHECK(json["sceneHash"].get<std::string>().size() == 16);
   CHECK(json["requestedAccel"] == "grid");
   const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
   CHECK(bare["requestedAccel"].is_null());

@@ -62,9 +62,9 @@ def verdict(options, run):
 
 
 def questions_missed(report):
-    missed = [name for name, failed in (("paths", not report["samePaths"]["agree"]),
-                                        ("light", report["sameLight"]["differs"]),
-                                        ("exact", not report.get("rightLight", {"met": True})["met"])) if failed]
+    missed = [name for name, failed in (("paths", not report["samePaths"]["agrees"]),
+                                        ("light", not report["sameLight"]["agrees"]),
+                                        ("exact", not report.get("rightLight", {"agrees": True})["agrees"])) if failed]
     return missed
 
 

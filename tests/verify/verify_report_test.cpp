@@ -31,7 +31,7 @@ TEST_CASE("an agreement states the difference that would have been detected") {
   const VerifyReport report = reportOf(1);
   CHECK(report.agree());
   CHECK_THAT(report.verdict(), Contains("compute the same light") && Contains("99 % probability"));
-  CHECK(toJson(report)["agree"] == true);
+  CHECK(toJson(report)["agrees"] == true);
   CHECK(toJson(report)["schema"] == "candela-verify/2");
   CHECK_THAT(toText(report), Contains("the scene does not state an exact result"));
 }
@@ -41,14 +41,14 @@ TEST_CASE("a difference is reported with its position, size and sign") {
   CHECK_FALSE(report.agree());
   CHECK_THAT(report.verdict(),
              Contains("do NOT compute the same light") && Contains("image mean") && Contains("darker"));
-  CHECK(toJson(report)["sameLight"]["differs"] == true);
+  CHECK(toJson(report)["sameLight"]["agrees"] == false);
 }
 
 TEST_CASE("two sides that agree on a wrong result fail") {
   const VerifyReport report = reportOf(1, scene::ExactMean{});
   CHECK_FALSE(report.agree());
   CHECK_THAT(report.verdict(), Contains("NOT with the exact result that the scene states"));
-  CHECK(toJson(report)["rightLight"]["met"] == false);
+  CHECK(toJson(report)["rightLight"]["agrees"] == false);
 }
 
 TEST_CASE("JUnit has a case for each question, including failures, and is well-formed for any scene name") {
@@ -69,6 +69,7 @@ TEST_CASE("a run that is interrupted in its first question reports its device an
   settings.image.size = {16, 16};
   const VerifyReport report = verifyScene({}, settings, device, reference, {}, control);
   CHECK(report.interrupted);
+  CHECK(toJson(report)["agrees"].is_null());
   CHECK(report.seconds > 0);
   CHECK(toJson(report)["device"] == "a device");
   CHECK(toJson(report)["driver"] == "a driver");
