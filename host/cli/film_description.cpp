@@ -64,7 +64,8 @@ render::BadSampleTally badSamplesOf(const film::FilmHeader& header, const image:
 }  // namespace
 
 FilmDescription describe(const film::FilmHeader& header, const image::Film& film, const film::WorkReport& work) {
-  FilmDescription description{header, hashText(film.hash()), film.counts().samples, badSamplesOf(header, film), {}, work};
+  FilmDescription description{header, hashText(film.hash()), film.counts().samples, badSamplesOf(header, film), {},
+                              work};
   if (const auto plan = planOf(header)) {
     description.adaptive = adaptiveText(film);
     description.adaptiveFigures = adaptiveJson(*plan, film, header.samplesPerPixel);
