@@ -20,7 +20,8 @@ struct SurfaceParameters {
   bool isThinWalled;
   float coatWeight;
   float coatRoughness;
-  bool isCoatAlone;  // the layers below the coat do not count
+  bool isCoatAlone;   // the layers below the coat do not count
+  bool lacksDiffuse;  // the diffuse lobe does not count, only those beside it
   vec3 sheenColour;
   float sheenRoughness;
   float filmWeight;
@@ -100,7 +101,7 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   vec4 eta = kHasConductors ? sceneRowFloat(row + 7u) : vec4(0.0);
   vec4 kappa = kHasConductors || kHasDispersion ? sceneRowFloat(row + 8u) : vec4(0.0);
   return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, anisotropy.x, anisotropy.yz, shape.y,
-                           shape.z, kappa.w, volume == 0u, coat, shape.w, false, sheen.xyz, sheen.w, film.x,
+                           shape.z, kappa.w, volume == 0u, coat, shape.w, false, false, sheen.xyz, sheen.w, film.x,
                            film.y, film.z, film.w, eta.w != 0.0, eta.xyz, kappa.xyz);
 }
 

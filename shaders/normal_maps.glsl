@@ -47,8 +47,36 @@ vec3 seenByFacet(Facets facets, vec3 wo, float number) {
   return wo - (2.0 * along / dot(tilt, tilt)) * tilt;
 }
 
-// Returns f times the cosine for wi and for the direction whose light the surface mirrors to wi, as far as lobes scatter to
-// them on the side that `transmitted` states, and the sum of their densities.
+// Returns a direction of the diffuse lobe that is below the surface as it is scattered again, by the cosine to the
+// geometric normal.
+vec3 scatteredAgain(Facets facets, vec3 w) {
+  vec3 normal = facets.geometric;
+  float squaredSine = dot(normal.xy, normal.xy);
+  if (squaredSine == 0.0) return mirroredAt(normal, w);
+  float sine = sqrt(squaredSine);
+  vec2 down = -normal.xy / sine;
+  vec3 axis = vec3(-down.y, down.x, 0.0);
+  float x = dot(w.xy, down);
+  float r = length(vec2(x, w.z));
+  float kappa2 = squaredSine / (1.0 + normal.z);
+  float q = clamp(w.z * w.z / (r * (r + x) * kappa2), 0.0, 1.0);
+  vec3 along = vec3(normal.z * down, sine);
+  return dot(w, axis) * axis + r * ((2.0 * q - 1.0) * along + 2.0 * sqrt(q * (1.0 - q)) * normal);
+}
+
+// Returns f times the cosine of the diffuse lobe for the light from wi that other facets scatter, and adds the density.
+vec3 scatteringByOthers(Material m, Facets facets, vec3 wo, vec3 wi, inout float pdf) {
+  vec3 normal = facets.geometric;
+  float kappa = 0.5 * dot(normal.xy, normal.xy) / (1.0 + normal.z);
+  float cosine = kappa * max(0.0, dot(wi, normal));
+  float share;
+  vec3 f = diffuseLobeOfMaterial(m, wo, share);
+  pdf += share * (cosine / kPi);
+  return f * cosine;
+}
+
+// Returns f times the cosine for wi, on the side that `transmitted` states, with the light of other facets if there are any, and
+// the sum of the densities. Reflection that is seen mirrored is also seen directly.
 vec3 facetScattering(Material m, Facets facets, vec3 wo, vec3 wi, bool transmitted, out float pdf) {
   vec3 other = mirroredAt(facets.geometric, wi);
   bool isDirect = (wi.z < 0.0) == transmitted;
@@ -57,28 +85,36 @@ vec3 facetScattering(Material m, Facets facets, vec3 wo, vec3 wi, bool transmitt
   vec3 direction = isDirect ? wi : other;
   vec3 sum = vec3(0.0);
   pdf = 0.0;
+  if (facets.exist && !transmitted) sum = scatteringByOthers(m, facets, wo, wi, pdf);
   for (uint i = 0u; i < count; ++i) {
     float part;
     sum += evaluateBsdf(m, wo, direction, part) * abs(direction.z);
     pdf += part;
     direction = other;
+    m = withoutDiffuse(m);
   }
   return sum;
 }
 
-// Returns the sample of the surface for a sample of the facet: its direction is mirrored if it is on the wrong side of
-// the surface, and its weight and pdf include those of the direction that is mirrored to it.
+// Returns the sample of the surface for a sample of the facet: a direction on the wrong side of the surface is
+// replaced, and weight and pdf include the light of other facets.
 BsdfSample leavingFacet(Material m, Facets facets, vec3 wo, BsdfSample next) {
   bool transmitted = next.lobe == kLobeRefract;
   bool keeps = (dot(next.wi, facets.geometric) > 0.0) != transmitted;
-  vec3 other = mirroredAt(facets.geometric, next.wi);
-  if ((other.z < 0.0) == transmitted) {
-    float part;
-    vec3 sum = next.weight * next.pdf + evaluateBsdf(m, wo, other, part) * abs(other.z);
-    next.pdf += part;
-    next.weight = sum / next.pdf;
+  vec3 sum = next.weight * next.pdf;
+  if (!keeps) {
+    next.wi = next.lobe == kLobeDiffuse ? scatteredAgain(facets, next.wi) : mirroredAt(facets.geometric, next.wi);
+    sum = facetScattering(m, facets, wo, next.wi, transmitted, next.pdf);
+  } else {
+    vec3 other = mirroredAt(facets.geometric, next.wi);
+    if (!transmitted) sum += scatteringByOthers(m, facets, wo, next.wi, next.pdf);
+    if ((other.z < 0.0) == transmitted) {
+      float part;
+      sum += evaluateBsdf(withoutDiffuse(m), wo, other, part) * abs(other.z);
+      next.pdf += part;
+    }
   }
-  if (!keeps) next.wi = other;
+  next.weight = next.pdf > 0.0 ? sum / next.pdf : vec3(0.0);
   return next;
 }
 

@@ -88,6 +88,10 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   }
   float perUnit = total > 0.0 ? below / total : 0.0;
   lobes.diffuseShare = diffuse * perUnit;
+  if (kHasNormalMaps && s.lacksDiffuse) {
+    lobes.diffuse = vec3(0.0);
+    lobes.diffuseShare = 0.0;
+  }
   lobes.glassShare = transmitting * perUnit;
   lobes.specularShare = total > 0.0 ? specular * perUnit : below;
   return lobes;
@@ -157,6 +161,32 @@ vec3 evaluateChannels(Material m, vec3 wo, vec3 wi, out float pdf) {
     pdf += m.channelShares[channel] * channelPdf;
   }
   return f;
+}
+
+// Returns f of the diffuse lobe for any direction, and the probability of the lobe.
+vec3 diffuseLobe(SurfaceLobes lobes, out float share) {
+  share = lobes.diffuseShare;
+  float below = kHasSheen && lobes.sheenShare > 0.0 ? lobes.belowSheen : 1.0;
+  return lobes.diffuse * (below * (1.0 - lobes.coatShare) / kPi);
+}
+
+vec3 diffuseLobeOfMaterial(Material m, vec3 wo, out float share) {
+  if (!kHasDispersion || m.surface.transmissionDispersionScale <= 0.0) return diffuseLobe(m.lobes, share);
+  vec3 f = vec3(0.0);
+  share = 0.0;
+  for (uint channel = 0u; channel < 3u; ++channel) {
+    float part;
+    f[channel] = diffuseLobe(lobesAt(inChannel(m.surface, channel), wo, m.outside), part)[channel];
+    share += m.channelShares[channel] * part;
+  }
+  return f;
+}
+
+Material withoutDiffuse(Material m) {
+  m.surface.lacksDiffuse = true;
+  m.lobes.diffuse = vec3(0.0);
+  m.lobes.diffuseShare = 0.0;
+  return m;
 }
 
 // Chooses a lobe by numbers.x, and its direction by numbers.yz. Pdf and weight remain to be computed.

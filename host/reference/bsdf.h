@@ -61,6 +61,11 @@ class Bsdf {
 
   /// Returns the sum over all lobes with a density. The integrator multiplies f by |cos wi|.
   BsdfValue evaluate(const dvec3& wo, const dvec3& wi) const;
+  /// Returns the diffuse lobe of a surface: its f, and its density divided by the cosine; 0 for other materials.
+  BsdfValue diffuseLobe() const {
+    if (dispersive_) return dispersive_->diffuseLobe();
+    return surface_ ? surface_->diffuseLobe() : BsdfValue{};
+  }
   /// Samples a direction from lobe `diffuse` or `glossy`. It may be on a side to which the lobe does not scatter; its
   /// density is then 0.
   dvec3 sampleSmooth(render::Lobe lobe, const dvec3& wo, const dvec2& u) const;

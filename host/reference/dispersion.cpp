@@ -28,15 +28,4 @@ DispersiveBsdf::DispersiveBsdf(const scene::SurfaceParameters& surface, const dv
                 SurfaceBsdf(inChannel(surface, 1), wo, outside, isCoatAlone),
                 SurfaceBsdf(inChannel(surface, 2), wo, outside, isCoatAlone)} {}
 
-BsdfValue DispersiveBsdf::evaluate(const dvec3& wi) const {
-  BsdfValue mixture;
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
-    const auto channel = static_cast<glm::length_t>(i);
-    const BsdfValue value = channels_[i].evaluate(wi);
-    mixture.f[channel] = value.f[channel];
-    mixture.pdf += choice_.probabilities[channel] * value.pdf;
-  }
-  return mixture;
-}
-
 }  // namespace candela::reference

@@ -27,9 +27,27 @@ class DispersiveBsdf {
 
   const SurfaceBsdf& chosen() const { return channels_[choice_.channel]; }
   /// Returns f of each channel, and the density of a choice that is followed by the sampling of its surface.
-  BsdfValue evaluate(const dvec3& wi) const;
+  BsdfValue evaluate(const dvec3& wi) const {
+    return mixed([&](const SurfaceBsdf& surface) { return surface.evaluate(wi); });
+  }
+  /// As that of SurfaceBsdf, by the same choice.
+  BsdfValue diffuseLobe() const {
+    return mixed([](const SurfaceBsdf& surface) { return surface.diffuseLobe(); });
+  }
 
  private:
+  template <class Evaluate>
+  BsdfValue mixed(Evaluate&& evaluate) const {
+    BsdfValue mixture;
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      const auto channel = static_cast<glm::length_t>(i);
+      const BsdfValue value = evaluate(channels_[i]);
+      mixture.f[channel] = value.f[channel];
+      mixture.pdf += choice_.probabilities[channel] * value.pdf;
+    }
+    return mixture;
+  }
+
   ChannelChoice choice_;
   std::array<SurfaceBsdf, 3> channels_;
 };

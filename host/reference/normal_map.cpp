@@ -2,6 +2,7 @@
 #include "host/reference/normal_map.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "host/reference/textured_material.h"
 
@@ -38,6 +39,20 @@ double NormalMapFacets::directProbability(const dvec3& wo) const {
 dvec3 NormalMapFacets::seenByReflection(const dvec3& wo) const {
   const dvec3 neighbour = normalize(tilt());
   return wo - 2 * dot(wo, neighbour) * neighbour;
+}
+
+// The angle from the mapped normal changes to one from the geometric normal, about their common tangent. Their sines,
+// downwards, are linear functions of each other.
+dvec3 NormalMapFacets::scatteredAgain(const dvec3& w) const {
+  const dvec3 tangent = cross(dvec3(0, 0, 1), geometric_);
+  if (tangent == dvec3(0)) return mirrored(w);
+  const dvec3 axis = normalize(tangent);
+  const dvec3 downFacet = cross(axis, dvec3(0, 0, -1)), downSurface = cross(axis, -geometric_);
+  const double along = dot(w, axis), down = dot(w, downFacet);
+  const double radius = std::hypot(down, w.z);
+  const double depth = std::clamp((1 - down / radius) / (2 * sunkFraction()), 0.0, 1.0);
+  const double sine = 2 * depth - 1;
+  return along * axis + radius * (sine * downSurface + std::sqrt(1 - sine * sine) * geometric_);
 }
 
 }  // namespace candela::reference

@@ -1,5 +1,7 @@
 // Normal maps: docs/light-transport.md section 5.8.
 #pragma once
+#include <algorithm>
+
 #include "host/reference/bsdf.h"
 #include "host/reference/rounding.h"
 #include "host/reference/surface.h"
@@ -22,11 +24,19 @@ class NormalMapFacets {
   dvec3 seenByReflection(const dvec3& wo) const;
   /// Returns a direction's reflection at the geometric surface.
   dvec3 mirrored(const dvec3& w) const { return w - 2 * dot(w, geometric_) * geometric_; }
+  /// Returns a direction of the diffuse lobe below the surface as it is scattered again, by the cosine to the geometric
+  /// normal.
+  dvec3 scatteredAgain(const dvec3& w) const;
+  /// Returns the factor of the diffuse lobe, in the place of a cosine, for light from `wi` by other facets.
+  double cosineByOthers(const dvec3& wi) const { return sunkFraction() * std::max(0.0, dot(wi, geometric_)); }
   bool isOn(Side side, const dvec3& w) const { return (dot(w, geometric_) > 0) == (side == Side::reflection); }
 
  private:
   /// The normal of the mapped facet without its part along the geometric normal.
   dvec3 tilt() const { return dvec3(0, 0, 1) - geometric_.z * geometric_; }
+
+  /// The fraction of a cosine lobe about the mapped normal that is below the surface.
+  double sunkFraction() const { return dot(dvec2(geometric_), dvec2(geometric_)) / (2 + 2 * geometric_.z); }
 
   dvec3 geometric_;
 };

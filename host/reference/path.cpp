@@ -74,10 +74,7 @@ struct PathTracer::Vertex : ShadingFrame {
   BsdfValue valueOf(const dvec3& wi, Side side, Rounding& rounding) const {
     BsdfValue value;
     if (!facets || reference::sideOf(wi) == side) value = timesCosine(wi);
-    if (facets && reference::sideOf(facets->mirrored(wi)) == side) {
-      const BsdfValue mirrored = timesCosine(facets->mirrored(wi));
-      value = {value.f + mirrored.f, value.pdf + mirrored.pdf};
-    }
+    if (facets) addOtherFacets(wi, side, value);
     return rounding.bsdfValue(value, roundingUnits());
   }
 
@@ -97,6 +94,18 @@ struct PathTracer::Vertex : ShadingFrame {
   Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
 
  private:
+  // Other facets mirror all lobes but the diffuse one, whose cosine for them is another.
+  void addOtherFacets(const dvec3& wi, Side side, BsdfValue& value) const {
+    const dvec3 mirrorImage = facets->mirrored(wi);
+    const bool isSeen = reference::sideOf(mirrorImage) == side;
+    const BsdfValue mirrored = isSeen ? timesCosine(mirrorImage) : BsdfValue{};
+    double diffuseCosine = 0;
+    if (side == Side::reflection) diffuseCosine = facets->cosineByOthers(wi) - (isSeen ? mirrorImage.z : 0);
+    const BsdfValue diffuse = bsdf.diffuseLobe();
+    value.f += mirrored.f + diffuse.f * diffuseCosine;
+    value.pdf += mirrored.pdf + diffuse.pdf * diffuseCosine;
+  }
+
   BsdfValue timesCosine(const dvec3& wi) const {
     const BsdfValue value = bsdf.evaluate(wo, wi);
     return {value.f * std::abs(wi.z), value.pdf};
@@ -319,7 +328,10 @@ PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNu
                                : rounding.sampledDirection(sample.wi);
   if (!sample.isOnItsSide()) return {};
   const Side side = sideOf(sample.wi);
-  if (vertex.facets && !vertex.facets->isOn(side, sample.wi)) sample.wi = vertex.facets->mirrored(sample.wi);
+  if (vertex.facets && !vertex.facets->isOn(side, sample.wi)) {
+    const bool isDiffuse = sample.lobe == render::Lobe::diffuse;
+    sample.wi = isDiffuse ? vertex.facets->scatteredAgain(sample.wi) : vertex.facets->mirrored(sample.wi);
+  }
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
   const BsdfValue bsdf = vertex.valueOf(sample.wi, side, rounding);
   if (bsdf.pdf == 0) return {};

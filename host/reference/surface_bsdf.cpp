@@ -67,6 +67,11 @@ BsdfValue SurfaceBsdf::evaluate(const dvec3& wi) const {
   return {(1 - coat_.share) * (1 - sheen_.share()) * transmitted.f, glassProbability_ * transmitted.pdf};
 }
 
+BsdfValue SurfaceBsdf::diffuseLobe() const {
+  const double below = sheen_.exists() ? 1 - sheen_.share() : 1;
+  return {below * (1 - coat_.share) / kPi * diffuse_, diffuseProbability_ / kPi};
+}
+
 dvec3 SurfaceBsdf::metalAt(double cosine) const {
   if (!conductor_) return metal_.at(cosine);
   return conductorFactor_ * conductorReflectance(cosine, conductor_->ior, conductor_->extinction);

@@ -37,6 +37,8 @@ class SurfaceBsdf {
   double filmThickness() const { return filmThickness_; }
   /// Returns the sum over all lobes.
   BsdfValue evaluate(const dvec3& wi) const;
+  /// Returns the diffuse lobe, which depends on no direction on its side: its f, and its density divided by the cosine.
+  BsdfValue diffuseLobe() const;
   /// `choice` decides on the lobe, `u` on the direction.
   SurfaceSample sample(double choice, const dvec2& u) const;
 

@@ -1,8 +1,11 @@
 // Normal maps of the reference, compared with values computed by hand.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <random>
 
 #include "host/reference/normal_map.h"
+#include "host/reference/sampling.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -81,4 +84,42 @@ TEST_CASE("facets are seen in proportion to their projected areas") {
   CHECK(facets.directProbability(local(-0.3)) == Approx(direct / (direct + std::sin(0.3))));
   CHECK(length(facets.seenByReflection(local(-0.3)) - local(0.3)) < 1e-12);
   CHECK(length(facets.mirrored(local(2)) - local(3.14159265358979 - 2)) < 1e-12);
+}
+
+TEST_CASE("directions below the surface are scattered again by the cosine to its normal") {
+  // Uniform points of the disc about the facet that are below the surface become uniform points of the disc about it:
+  // each of 4 rings of equal area and 4 quarters has a sixteenth of them.
+  const dvec3 geometric = normalize(GENERATE(dvec3(-0.6, 0, 0.8), dvec3(0.3, -0.8, 0.4)));
+  const NormalMapFacets facets(geometric);
+  const dvec3 x = normalize(cross(geometric, dvec3(0.2, 0.9, 0.1))), y = cross(geometric, x);
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit;
+  std::array<int, 16> counts{};
+  constexpr int kCount = 32000;
+  for (int found = 0; found < kCount;) {
+    const dvec3 w = sampleCosineHemisphere({unit(random), unit(random)});
+    if (facets.isOn(Side::reflection, w)) continue;
+    ++found;
+    const dvec3 again = facets.scatteredAgain(w);
+    REQUIRE(length(again) == Approx(1));
+    REQUIRE(facets.isOn(Side::reflection, again));
+    const double cosine = dot(again, geometric);
+    const auto ring = static_cast<std::size_t>(4 * std::min(1 - cosine * cosine, 0.9999999));
+    const std::size_t quarter = (dot(again, x) > 0 ? 2 : 0) + (dot(again, y) > 0 ? 1 : 0);
+    ++counts[4 * ring + quarter];
+  }
+  for (const int count : counts) CHECK(std::abs(count - kCount / 16) < 5 * std::sqrt(kCount / 16));
+}
+
+TEST_CASE("directions at the horizon stay, and deeper ones rise on the way to the opposite horizon") {
+  const NormalMapFacets facets(normalize(dvec3(-0.6, 0, 0.8)));
+  // Below the horizon, at 0.8 0 0.6 in the facet's frame, by an angle; the facet's own horizon is 36.87 degrees deep.
+  const auto again = [&](double angle) {
+    const double rise = std::asin(0.6) - angle;
+    return facets.scatteredAgain({std::cos(rise), 0, std::sin(rise)});
+  };
+  CHECK(length(again(0) - dvec3(0.8, 0, 0.6)) < 1e-7);
+  CHECK(length(again(std::asin(0.6)) - dvec3(-0.8, 0, -0.6)) < 1e-7);
+  CHECK(again(0.01).x > again(0.1).x);
+  CHECK(dot(again(0.1), dvec3(-0.6, 0, 0.8)) > 0.5);
 }

@@ -204,7 +204,7 @@ TEST_CASE("a coat has its own normal map, or none") {
   });
 }
 
-TEST_CASE("a tilted normal shades a directional light by its cosine") {
+TEST_CASE("a tilted normal shades a directional light by its cosine, and by the light of other facets") {
   // The normal (0.6 0.2 0.773), light from (0.6 0 0.8), from which only the direct facet is seen.
   SceneBuilder b;
   b.scene.images = {oneTexel(204, 153, 226)};
@@ -216,16 +216,15 @@ TEST_CASE("a tilted normal shades a directional light by its cosine") {
   light.intensity = vec3(2);
   b.scene.punctualLights.push_back(light);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(204, 153, 226) / 127.5 - 1.0);
+  const double cosine = glm::dot(normal, glm::dvec3(0.6, 0, 0.8)) + (1 - normal.z) / 2 * 0.8;
   onBothTracers([&](const RenderFunction& render) {
     const double mean = meanLuminance(render(b.scene, squareSettings(4, 16)).film);
-    CHECK(mean == Approx(0.5 / 3.14159265358979 * 2 * glm::dot(normal, glm::dvec3(0.6, 0, 0.8))).epsilon(1e-3));
+    CHECK(mean == Approx(0.5 / 3.14159265358979 * 2 * cosine).epsilon(1e-3));
   });
 }
 
-TEST_CASE("light from below a facet's horizon is mirrored at the surface") {
-  // The normal is tilted to the left by 53 degrees, so that the light from the right, at 30 degrees above the surface,
-  // is below its horizon, and so is its mirror image. The light from the left at the same height is seen with its
-  // image.
+TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, on either side of a facet") {
+  // The normal is tilted to the left by 53 degrees. Light from the right that is low is below the facet's horizon.
   SceneBuilder b;
   b.scene.images = {oneTexel(26, 128, 204)};
   b.material(mapped({.specularWeight = 0})).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
@@ -233,18 +232,47 @@ TEST_CASE("light from below a facet's horizon is mirrored at the surface") {
   scene::PunctualLight light;
   light.kind = scene::PunctualLight::Kind::directional;
   light.intensity = vec3(3.14159265f);
-  const double height = 0.5;
-  const double width = std::sqrt(0.75);
+  const double height = GENERATE(0.05, 0.17, 0.5, 0.9);
+  const double side = GENERATE(-1, 1);
   const glm::dvec3 normal = glm::normalize(glm::dvec3(26, 128, 204) / 127.5 - 1.0);
+  const glm::dvec3 towards(side * std::sqrt(1 - height * height), 0, height);
+  light.direction = vec3(-towards);
+  b.scene.punctualLights = {light};
+  const double expected = std::max(0.0, glm::dot(normal, towards)) + (1 - normal.z) / 2 * height;
   onBothTracers([&](const RenderFunction& render) {
-    const auto lit = [&](double side) {
-      light.direction = vec3(glm::dvec3(-side * width, 0, -height));
-      b.scene.punctualLights = {light};
-      return meanLuminance(render(b.scene, squareSettings(4, 16)).film);
-    };
-    const auto cosine = [&](double side, double up) { return std::max(0.0, side * width * normal.x + up * normal.z); };
-    CHECK(lit(1) == Approx(0).margin(1e-6));
-    CHECK(lit(-1) == Approx(cosine(-1, height) + cosine(-1, -height)).epsilon(1e-3));
+    CHECK(meanLuminance(render(b.scene, squareSettings(4, 16)).film) == Approx(expected).epsilon(1e-3));
+  });
+}
+
+TEST_CASE("specular lobes mirror what is below the surface") {
+  // The metal's normal is tilted by 45 degrees to the right, so that an eye above it sees the horizon there. An eye 20
+  // degrees to the left sees 20 degrees below the horizon, whose mirror image is the light.
+  SceneBuilder b;
+  b.scene.images = {oneTexel(218, 128, 218)};
+  b.material(mapped({.metalness = 1, .roughness = 0.1f})).view({-0.342f * 5, 0, 0.94f * 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  b.material(test::diffuseMaterial(vec3(0), vec3(1)));
+  b.quad({9.4f, -4, 1.4f}, {9.4f, 4, 1.4f}, {9.4f, 4, 5.4f}, {9.4f, -4, 5.4f});
+  onBothTracers([&](const RenderFunction& render) {
+    CHECK(meanLuminance(render(b.scene, squareSettings(8, 256)).film) == Approx(1).epsilon(0.02));
+  });
+}
+
+TEST_CASE("light sampling of a diffuse facet has the mean of paths without it, at a low light") {
+  // Paths find the light by directions that are scattered again, too.
+  SceneBuilder b;
+  b.scene.images = {oneTexel(218, 128, 218)};
+  b.material(mapped({.specularWeight = 0})).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  const float side = GENERATE(-1.0f, 1.0f);
+  b.material(test::diffuseMaterial(vec3(0), vec3(1)));
+  b.quad({side * 8, -6, 0.1f}, {side * 8, 6, 0.1f}, {side * 8, 6, 4}, {side * 8, -6, 4});
+  onBothTracers([&](const RenderFunction& render) {
+    render::RenderSettings settings = squareSettings(16, 2048);
+    settings.image.maxDepth = 2;
+    const double sampled = meanLuminance(render(b.scene, settings).film);
+    settings.image.nextEventEstimation = false;
+    CHECK(sampled == Approx(meanLuminance(render(b.scene, settings).film)).epsilon(0.01));
   });
 }
 
