@@ -63,7 +63,10 @@ using namespace candela::layer;
   X(vkAllocateDescriptorSets)       \
   X(vkCreatePipelineLayout)         \
   X(vkCreateShaderModule)           \
-  X(vkCreateComputePipelines)
+  X(vkCreateComputePipelines)       \
+  X(vkCreateSwapchainKHR)           \
+  X(vkAcquireNextImageKHR)          \
+  X(vkQueuePresentKHR)
 
 enum Function : std::size_t {
 #define CANDELA_NAME(name) k_##name,
@@ -83,7 +86,7 @@ constexpr std::array<const char*, kFunctionCount> kNames{CANDELA_INSTANCE_FUNCTI
 constexpr VkResult kHang = static_cast<VkResult>(1);  // no result that a function returns here
 constexpr VkResult kDrop = static_cast<VkResult>(2);
 constexpr VkResult kDropWide = static_cast<VkResult>(3);
-constexpr std::array<std::pair<const char*, VkResult>, 18> kResults{
+constexpr std::array<std::pair<const char*, VkResult>, 19> kResults{
     {{"HANG", kHang},
      {"DROP", kDrop},
      {"DROP_WIDE", kDropWide},
@@ -101,7 +104,8 @@ constexpr std::array<std::pair<const char*, VkResult>, 18> kResults{
      {"VK_ERROR_UNKNOWN", VK_ERROR_UNKNOWN},
      {"VK_ERROR_OUT_OF_POOL_MEMORY", VK_ERROR_OUT_OF_POOL_MEMORY},
      {"VK_ERROR_FRAGMENTATION", VK_ERROR_FRAGMENTATION},
-     {"VK_TIMEOUT", VK_TIMEOUT}}};
+     {"VK_TIMEOUT", VK_TIMEOUT},
+     {"VK_ERROR_OUT_OF_DATE_KHR", VK_ERROR_OUT_OF_DATE_KHR}}};
 
 struct Fault {
   std::string function;
