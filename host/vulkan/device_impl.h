@@ -61,6 +61,8 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   RawBuffer& staging();
   /// Adds to memoryUse; removes if `bytes` is negative.
   void countMemory(std::int64_t bytes);
+  /// Adds to MemoryUse::systemBytes.
+  void countSystemMemory(std::uint64_t bytes);
 
   /// Adds a command to the recording, if there is one. `make` returns the command.
   template <class Make>
