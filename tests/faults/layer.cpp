@@ -3,17 +3,14 @@
 // CANDELA_FAULT lists faults, separated by commas: FUNCTION:N:RESULT fails the N-th call of a function (from 1) without
 // passing it on, and FUNCTION:N+:RESULT that call and all after it. RESULT is the name of a VkResult. After
 // VK_ERROR_DEVICE_LOST, submissions to that device fail, and waits for it end with that result. vkWaitForFences:N:HANG
-// sleeps until the timeout of the call, as if a kernel did not end.
-// CANDELA_FAULT_COUNTS names a file to which the number of calls of each function is written when an instance is
-// destroyed, and CANDELA_FAULT_LOG one to which each injected fault is appended.
+// sleeps until the timeout of the call, as if a kernel did not end. vkCmdDispatch:N:DROP leaves the dispatch out, as a
+// driver that loses invocations does; DROP_WIDE does so only if it has several workgroups, so that devices can be
+// opened. CANDELA_FAULT_COUNTS names a file to which the number of calls of each function is written when an instance
+// is destroyed, and CANDELA_FAULT_LOG one to which each injected fault is appended.
 //
 // CANDELA_FAULT_WAITS names a file to which a line is appended for each vkWaitForFences: the timeout in seconds, and
 // "new" if a pipeline was bound since the last wait that had not been bound before, else "known". All devices then
 // claim to be discrete GPUs, since the program sets no time limit for devices in software.
-// sleeps until the timeout of the call, as if a kernel did not end. vkCmdDispatch:N:DROP leaves the dispatch out, and
-// N+ all dispatches after it, too, as a driver that loses invocations does. CANDELA_FAULT_COUNTS names a file to which
-// the number of calls of each function is written when an instance is destroyed, and CANDELA_FAULT_LOG one to which
-// each injected fault is appended.
 #include "tests/vulkan_support/layer.h"
 
 #include <algorithm>
@@ -172,7 +169,7 @@ struct Next : NextFunctions {
   PFN_vkGetPhysicalDeviceProperties properties = nullptr;  ///< of an instance
   PFN_vkCmdBindPipeline bindPipeline = nullptr;            ///< of a device
   PFN_vkDestroyPipeline destroyPipeline = nullptr;         ///< of a device
-  PFN_vkCmdDispatch dispatch = nullptr;  ///< of a device
+  PFN_vkCmdDispatch dispatch = nullptr;                    ///< of a device
   bool isLost = false;
 };
 NextTable<Next> nexts;
