@@ -24,7 +24,7 @@ struct LayerSample {
   vec3 unscattered;
   vec3 scatteredOnce;
 };
-LayerSample pending;
+LayerSample pending = LayerSample(0u, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
 
 // Sums of three channels over at most 2^10 samples: high + middle 2^-20 + low 2^-40. Each part of a sample is at most
 // 2^20 in magnitude, so that integers of 32 bits hold the sums without carries.
@@ -146,7 +146,8 @@ void gatherLayers(vec3 radiance) {
   if (kSumsNormal) addParts(gathered.normal, hit ? layerValue(pending.normal, bad) : vec3(0.0));
   if (kSumsAlbedo) addParts(gathered.albedo, hit ? layerValue(pending.albedo, bad) : vec3(0.0));
   if (kSumsDepth || kSumsTexCoord) {
-    vec3 value = pending.depthTexCoord * vec3(kSumsDepth ? 1.0 : 0.0, vec2(kSumsTexCoord ? 1.0 : 0.0));
+    // Selected rather than multiplied by 0: a value without a layer may be infinite.
+    vec3 value = vec3(kSumsDepth ? pending.depthTexCoord.x : 0.0, kSumsTexCoord ? pending.depthTexCoord.yz : vec2(0.0));
     addParts(gathered.depthTexCoord, hit ? layerValue(value, bad) : vec3(0.0));
   }
   if (kSumsPosition) addParts(gathered.position, hit ? layerValue(pending.position, bad) : vec3(0.0));

@@ -12,8 +12,9 @@ layout(std430, set = 0, binding = 0) buffer Probe {
 
 void main() {
   uint state = probe.state;
+  uint turnsAsked = probe.turnsAsked;
   uint turns = 0u;
-  while (turns < probe.turnsAsked) {
+  while (turns < turnsAsked) {
     // A chain of dependent operations that no compiler can shorten, so that the iterations are executed and not
     // computed in closed form.
     state = (state ^ (state >> 15)) * 0x2c1b3c6du + turns;

@@ -23,6 +23,7 @@ struct Capture {
   std::string expectedBy;         ///< the tracer that computed the expected values, e.g. "the reference tracer"
   std::string found;              ///< the differences on the device where it was captured; empty: none
   std::string capturedOn;         ///< name and driver of this device
+  std::string deviceName;         ///< name alone, by which reproduce.c chooses the device
   std::size_t differing = 0;      ///< number of values that differ there
   std::size_t wholeCount = 0;     ///< number of expected values before invocations were removed; 0: none were
   std::string note;               ///< sentences about the picture; may be empty

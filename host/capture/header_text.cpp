@@ -137,9 +137,11 @@ std::string headerText(const Capture& capture) {
   requireFew(capture.work.buffers.size(), kMaxObjects, "buffers");
   std::string text = fmt::format(
       "/* Written by candela capture for reproduce.c. Modules have their specialisation constants at their values. */\n"
-      "#define CAPTURE_TITLE {}\n#define CAPTURE_ROBUST_ACCESS {}\n#define CAPTURE_SUBGROUP_SIZE {}\n\n"
+      "#define CAPTURE_TITLE {}\n#define CAPTURE_DEVICE {}\n#define CAPTURE_ROBUST_ACCESS {}\n#define "
+      "CAPTURE_SUBGROUP_SIZE {}\n\n"
       "static const struct module capture_modules[] = {{\n",
-      quoted(capture.title), capture.work.robustBufferAccess ? 1 : 0, capture.work.subgroupSize);
+      quoted(capture.title), quoted(capture.deviceName), capture.work.robustBufferAccess ? 1 : 0,
+      capture.work.subgroupSize);
   for (std::size_t i = 0; i < capture.work.shaders.size(); ++i) text += moduleText(capture.work.shaders[i], i);
   text += "};\n\nstatic const struct buffer capture_buffers[] = {\n";
   for (std::size_t i = 0; i < capture.work.buffers.size(); ++i) text += bufferText(capture, i);

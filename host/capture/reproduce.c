@@ -5,7 +5,7 @@
  *
  * capture.h, which `candela capture` wrote, lists the modules, buffers and commands; the files beside it have the data.
  *
- * --device N             uses the Nth physical device (default: 0); VK_DRIVER_FILES chooses the driver
+ * --device N             uses the Nth physical device (default: the one of the capture, else 0)
  * --module K FILE        uses FILE instead of module K
  * --dump FILE            writes the values that are compared
  * --against FILE ERROR   expects the values of --dump instead, floats and sums within this relative error
@@ -74,7 +74,7 @@ struct expected_value {
 };
 
 struct options {
-  uint32_t device;
+  long device; /* -1: not given */
   const char *modules[MAX_OBJECTS];
   const char *dump;
   const char *against;
@@ -135,20 +135,31 @@ static void *read_file(const char *name, size_t *bytes) {
   return content;
 }
 
+/* The names of extensions and the flag are not in all versions of vulkan.h. */
 static void create_instance(void) {
+  const char *portability = "VK_KHR_portability_enumeration";
   VkApplicationInfo application = {VK_STRUCTURE_TYPE_APPLICATION_INFO, NULL, "reproduce", 0, NULL, 0, VK_API_VERSION_1_2};
-  VkInstanceCreateInfo info = {VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, NULL, 0, &application, 0, NULL, 0, NULL};
+  VkInstanceCreateInfo info = {VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO, NULL, 1, &application, 0, NULL, 1, &portability};
+  if (vkCreateInstance(&info, NULL, &instance) == VK_SUCCESS) return;
+  info.flags = info.enabledExtensionCount = 0;
   REQUIRE(vkCreateInstance(&info, NULL, &instance));
 }
 
-static void choose_device(uint32_t index) {
+/* Chooses a device by its index or, if that is negative, the one on which the work was captured. */
+static void choose_device(long index) {
   uint32_t count = 0;
   VkPhysicalDevice *all;
   VkPhysicalDeviceProperties properties;
   REQUIRE(vkEnumeratePhysicalDevices(instance, &count, NULL));
-  if (index >= count) give_up("there is no such device", (long)index);
   all = allocate(count * sizeof *all);
   REQUIRE(vkEnumeratePhysicalDevices(instance, &count, all));
+  for (uint32_t i = 0; i < count && index < 0; ++i) {
+    vkGetPhysicalDeviceProperties(all[i], &properties);
+    if (strcmp(properties.deviceName, CAPTURE_DEVICE) == 0) index = (long)i;
+  }
+  if (index < 0) printf("warning: the capture is of %s, which is not here; using device 0\n", CAPTURE_DEVICE);
+  index = index < 0 ? 0 : index;
+  if ((uint64_t)index >= count) give_up("there is no such device", index);
   physical = all[index];
   free(all);
   vkGetPhysicalDeviceProperties(physical, &properties);
@@ -161,28 +172,35 @@ static void choose_queue(void) {
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, NULL);
   families = allocate(count * sizeof *families);
   vkGetPhysicalDeviceQueueFamilyProperties(physical, &count, families);
-  for (queue_family = 0; queue_family < count; ++queue_family) {
+  for (queue_family = 0; queue_family < count; ++queue_family)
     if (families[queue_family].queueFlags & VK_QUEUE_COMPUTE_BIT) break;
-  }
   free(families);
   if (queue_family == count) give_up("there is no queue for compute shaders", 0);
 }
 
+static int has_extension(const char *name) {
+  uint32_t count = 0, found = 0;
+  VkExtensionProperties *all;
+  REQUIRE(vkEnumerateDeviceExtensionProperties(physical, NULL, &count, NULL));
+  all = allocate(count * sizeof *all);
+  REQUIRE(vkEnumerateDeviceExtensionProperties(physical, NULL, &count, all));
+  for (uint32_t i = 0; i < count; ++i) found = found || strcmp(all[i].extensionName, name) == 0;
+  free(all);
+  return (int)found;
+}
+
 static void create_device(void) {
   const float priority = 1;
-  const char *extension = VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
-  VkPhysicalDeviceFeatures features;
+  const char *extensions[2];
+  const VkPhysicalDeviceFeatures features = {.robustBufferAccess = CAPTURE_ROBUST_ACCESS ? VK_TRUE : VK_FALSE};
   VkPhysicalDeviceSubgroupSizeControlFeaturesEXT sizes = {
       VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_SIZE_CONTROL_FEATURES_EXT, NULL, VK_TRUE, VK_FALSE};
-  VkDeviceQueueCreateInfo queue = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, NULL, 0, 0, 1, &priority};
-  VkDeviceCreateInfo info = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, NULL, 0, 1, &queue, 0, NULL, 0, NULL, &features};
-  memset(&features, 0, sizeof features);
-  features.robustBufferAccess = CAPTURE_ROBUST_ACCESS ? VK_TRUE : VK_FALSE;
-  queue.queueFamilyIndex = queue_family;
+  VkDeviceQueueCreateInfo queue = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO, NULL, 0, queue_family, 1, &priority};
+  VkDeviceCreateInfo info = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, NULL, 0, 1, &queue, 0, NULL, 0, extensions, &features};
+  if (has_extension("VK_KHR_portability_subset")) extensions[info.enabledExtensionCount++] = "VK_KHR_portability_subset";
   if (CAPTURE_SUBGROUP_SIZE > 0) {
     info.pNext = &sizes;
-    info.enabledExtensionCount = 1;
-    info.ppEnabledExtensionNames = &extension;
+    extensions[info.enabledExtensionCount++] = VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME;
   }
   REQUIRE(vkCreateDevice(physical, &info, NULL, &device));
 }
@@ -192,9 +210,8 @@ static uint32_t host_memory(uint32_t allowed) {
   const VkMemoryPropertyFlags wanted = VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
   VkPhysicalDeviceMemoryProperties memory;
   vkGetPhysicalDeviceMemoryProperties(physical, &memory);
-  for (uint32_t i = 0; i < memory.memoryTypeCount; ++i) {
+  for (uint32_t i = 0; i < memory.memoryTypeCount; ++i)
     if ((allowed >> i & 1u) && (memory.memoryTypes[i].propertyFlags & wanted) == wanted) return i;
-  }
   give_up("there is no memory that the host can map", 0);
   return 0;
 }
@@ -224,21 +241,19 @@ static void fill_buffer(const struct buffer *recorded, uint32_t *words) {
 static void create_buffer(const struct buffer *recorded, struct live_buffer *buffer) {
   VkBufferCreateInfo info = {VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO, NULL, 0, recorded->bytes, usage_of(recorded->uses),
                              VK_SHARING_MODE_EXCLUSIVE, 0, NULL};
-  VkMemoryAllocateInfo memory = {VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, NULL, 0, 0};
-  VkBufferViewCreateInfo view = {VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO, NULL, 0, VK_NULL_HANDLE,
-                                 VK_FORMAT_R32G32B32A32_UINT, 0, VK_WHOLE_SIZE};
   VkMemoryRequirements needed;
   void *mapped;
   REQUIRE(vkCreateBuffer(device, &info, NULL, &buffer->handle));
   vkGetBufferMemoryRequirements(device, buffer->handle, &needed);
-  memory.allocationSize = needed.size;
-  memory.memoryTypeIndex = host_memory(needed.memoryTypeBits);
+  const VkMemoryAllocateInfo memory = {VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, NULL, needed.size,
+                                       host_memory(needed.memoryTypeBits)};
   REQUIRE(vkAllocateMemory(device, &memory, NULL, &buffer->memory));
   REQUIRE(vkBindBufferMemory(device, buffer->handle, buffer->memory, 0));
   REQUIRE(vkMapMemory(device, buffer->memory, 0, VK_WHOLE_SIZE, 0, &mapped));
   buffer->words = mapped;
   fill_buffer(recorded, buffer->words);
-  view.buffer = buffer->handle;
+  const VkBufferViewCreateInfo view = {VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO, NULL, 0, buffer->handle,
+                                       VK_FORMAT_R32G32B32A32_UINT, 0, VK_WHOLE_SIZE};
   if (recorded->uses & USE_TEXEL) REQUIRE(vkCreateBufferView(device, &view, NULL, &buffer->view));
 }
 
@@ -249,19 +264,14 @@ static VkDescriptorType type_of(uint32_t use) {
 
 static void create_layouts(const struct module *recorded, struct live_module *module) {
   VkDescriptorSetLayoutBinding bindings[MAX_BINDINGS];
-  VkDescriptorSetLayoutCreateInfo set = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, NULL, 0, 0, bindings};
-  VkPushConstantRange push = {VK_SHADER_STAGE_COMPUTE_BIT, 0, 0};
-  VkPipelineLayoutCreateInfo layout = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, NULL, 0, 1, NULL, 0, &push};
-  for (uint32_t i = 0; i < recorded->binding_count; ++i) {
-    const VkDescriptorSetLayoutBinding binding = {i, type_of(recorded->bindings[i]), 1, VK_SHADER_STAGE_COMPUTE_BIT,
-                                                  NULL};
-    bindings[i] = binding;
-  }
-  set.bindingCount = recorded->binding_count;
+  VkDescriptorSetLayoutCreateInfo set = {VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO, NULL, 0,
+                                         recorded->binding_count, bindings};
+  VkPushConstantRange push = {VK_SHADER_STAGE_COMPUTE_BIT, 0, recorded->push_bytes};
+  VkPipelineLayoutCreateInfo layout = {VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO, NULL, 0, 1, &module->set_layout,
+                                       push.size > 0 ? 1 : 0, &push};
+  for (uint32_t i = 0; i < recorded->binding_count; ++i)
+    bindings[i] = (VkDescriptorSetLayoutBinding){i, type_of(recorded->bindings[i]), 1, VK_SHADER_STAGE_COMPUTE_BIT, NULL};
   REQUIRE(vkCreateDescriptorSetLayout(device, &set, NULL, &module->set_layout));
-  layout.pSetLayouts = &module->set_layout;
-  push.size = recorded->push_bytes;
-  layout.pushConstantRangeCount = push.size > 0 ? 1 : 0;
   REQUIRE(vkCreatePipelineLayout(device, &layout, NULL, &module->layout));
 }
 
@@ -269,21 +279,17 @@ static void create_pipeline(const char *file, struct live_module *module) {
   VkShaderModuleCreateInfo code = {VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO, NULL, 0, 0, NULL};
   VkPipelineShaderStageRequiredSubgroupSizeCreateInfoEXT size = {
       VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_REQUIRED_SUBGROUP_SIZE_CREATE_INFO_EXT, NULL, CAPTURE_SUBGROUP_SIZE};
-  VkComputePipelineCreateInfo info;
-  VkShaderModule handle;
+  VkComputePipelineCreateInfo info = {
+      .sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO,
+      .stage = {.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO, .stage = VK_SHADER_STAGE_COMPUTE_BIT},
+      .layout = module->layout};
   uint32_t *words = read_file(file, &code.codeSize);
-  memset(&info, 0, sizeof info);
   code.pCode = words;
-  REQUIRE(vkCreateShaderModule(device, &code, NULL, &handle));
-  info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
-  info.layout = module->layout;
-  info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
-  info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
-  info.stage.module = handle;
   info.stage.pName = "main";
   if (CAPTURE_SUBGROUP_SIZE > 0) info.stage.pNext = &size;
+  REQUIRE(vkCreateShaderModule(device, &code, NULL, &info.stage.module));
   REQUIRE(vkCreateComputePipelines(device, VK_NULL_HANDLE, 1, &info, NULL, &module->pipeline));
-  vkDestroyShaderModule(device, handle, NULL);
+  vkDestroyShaderModule(device, info.stage.module, NULL);
   free(words);
 }
 
@@ -319,9 +325,8 @@ static void record_dispatch(VkCommandBuffer commands, const struct command *comm
   const VkDescriptorSet set = bind_buffers(command);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, module->pipeline);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, module->layout, 0, 1, &set, 0, NULL);
-  if (push_bytes > 0) {
+  if (push_bytes > 0)
     vkCmdPushConstants(commands, module->layout, VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes, command->push);
-  }
   if (command->kind == COMMAND_DISPATCH_INDIRECT) {
     vkCmdDispatchIndirect(commands, buffers[command->buffer].handle, command->offset);
   } else {
@@ -375,14 +380,13 @@ static void submit(VkCommandBuffer commands, uint64_t seconds) {
 
 static void run_commands(uint64_t seconds) {
   VkCommandPoolCreateInfo info = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, NULL, 0, queue_family};
-  VkCommandBufferAllocateInfo one = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, NULL, VK_NULL_HANDLE,
-                                     VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
   VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO, NULL,
                                     VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT, NULL};
   VkCommandPool command_pool;
   VkCommandBuffer commands;
   REQUIRE(vkCreateCommandPool(device, &info, NULL, &command_pool));
-  one.commandPool = command_pool;
+  const VkCommandBufferAllocateInfo one = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, NULL, command_pool,
+                                           VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
   REQUIRE(vkAllocateCommandBuffers(device, &one, &commands));
   REQUIRE(vkBeginCommandBuffer(commands, &begin));
   for (uint32_t i = 0; i < COUNT(capture_commands); ++i) record_command(commands, &capture_commands[i]);
@@ -457,10 +461,10 @@ static int compare(const struct options *options) {
 }
 
 static struct options read_options(int count, char **words) {
-  struct options options = {0, {NULL}, NULL, NULL, 0, 60};
+  struct options options = {-1, {NULL}, NULL, NULL, 0, 60};
   for (int i = 1; i < count; ++i) {
     if (strcmp(words[i], "--device") == 0 && i + 1 < count) {
-      options.device = (uint32_t)strtoul(words[++i], NULL, 10);
+      options.device = (long)strtoul(words[++i], NULL, 10);
     } else if (strcmp(words[i], "--dump") == 0 && i + 1 < count) {
       options.dump = words[++i];
     } else if (strcmp(words[i], "--against") == 0 && i + 2 < count) {

@@ -72,6 +72,7 @@ Capture captureScene(const scene::Scene& scene, const SceneParts& parts, const S
   capture.expectedBy = request.expect ? fmt::format("{} ({})", request.expect->info.name, request.expect->info.driver)
                                       : "the reference tracer";
   capture.capturedOn = fmt::format("{} ({})", request.device.info.name, request.device.info.driver);
+  capture.deviceName = request.device.info.name;
   capture.note = fmt::format("It renders {}, with {} of {} {} of the scene. The film is in binding {}.",
                              regionText(left.sample), left.parts.size(), parts.count(), parts.noun(), kFilmBinding);
   if (const std::string text = parts.textWith(left.parts); !text.empty()) capture.files.push_back({"scene.p3f", text});

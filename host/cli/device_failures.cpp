@@ -13,6 +13,7 @@ namespace candela::cli {
 namespace {
 
 constexpr int kMaxAttempts = 3;
+constexpr double kShorterDispatches = 4;
 
 template <class T>
 bool is(const Error& error) {
@@ -41,6 +42,7 @@ void DeviceFailures::limitBands() {
 
 bool DeviceFailures::mayTryAgain(const Error& error) {
   if (is<OutOfMemoryError>(error)) limitBands();
+  if (is<DeviceLostError>(error)) dispatchSeconds_ /= kShorterDispatches;
   const bool isFinal = is<DeviceHungError>(error) || is<DeviceLimitError>(error);
   if (isFinal || count_ == kMaxAttempts) return false;
   ++count_;

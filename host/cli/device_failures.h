@@ -12,7 +12,8 @@ namespace candela::cli {
 class DeviceFailures {
  public:
   /// Both must outlive the object.
-  DeviceFailures(const RenderJob& job, const Log& log) : job_(job), log_(log) {}
+  DeviceFailures(const RenderJob& job, const Log& log)
+      : job_(job), log_(log), dispatchSeconds_(job.settings().execution.dispatchSeconds) {}
 
   /// Returns whether opening the device again may help: it was lost, or memory ran out; after a first failure, also if
   /// it is not found any more. Not for devices that hang, which cannot be opened again while they do.
@@ -24,6 +25,9 @@ class DeviceFailures {
 
   /// Maximum size of a band's largest buffer: a quarter of the last one each time memory runs out.
   std::uint64_t maxBandBytes() const { return maxBandBytes_; }
+  /// Target duration of a dispatch in seconds: a quarter of the last one each time the device is lost, because it may
+  /// have been lost to a limit on the duration of work.
+  double dispatchSeconds() const { return dispatchSeconds_; }
 
   /// The exit code of a render that ends by `error`: ExitCode::deviceLost or outOfMemory.
   static ExitCode codeOf(const Error& error);
@@ -37,6 +41,7 @@ class DeviceFailures {
   const Log& log_;
   int count_ = 0;
   std::uint64_t maxBandBytes_ = ~std::uint64_t{0};
+  double dispatchSeconds_;
 };
 
 }  // namespace candela::cli

@@ -146,6 +146,7 @@ void FilmTrace::goOn() {
 void FilmTrace::begin() {
   isReady_ = false;
   settings_.execution.maxBandBytes = failures_.maxBandBytes();
+  settings_.execution.dispatchSeconds = failures_.dispatchSeconds();
   Arguments arguments = job_.arguments;
   if (usesReference_) arguments.device = render::kReferenceDevice;
   renderer_ = makeRenderer(arguments, log_);

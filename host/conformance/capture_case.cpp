@@ -49,6 +49,7 @@ capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& dev
     capture = captureOf(*recording, finding, device);
     capture.expectedBy = "the host";
     capture.capturedOn = fmt::format("{} ({})", device.name, device.driver);
+    capture.deviceName = device.name;
   }
   capture.title = question.name;
   return capture;

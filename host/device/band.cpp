@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 #include <span>
+#include <string_view>
 
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
@@ -75,6 +76,13 @@ TileCursor cursorOver(render::Extent band, const render::RenderSettings& setting
                                  : TileCursor(band, settings.execution.workgroupInUse());
 }
 
+void noteDispatch(const Rect& region, std::uint32_t segments, double seconds, render::RenderStatistics& statistics) {
+  statistics.dispatchSeconds.push_back(seconds);
+  statistics.maxSegmentsPerDispatch = std::max(statistics.maxSegmentsPerDispatch, segments);
+  const std::uint64_t largest = std::uint64_t{statistics.tile.width} * statistics.tile.height;
+  if (std::uint64_t{region.width} * region.height > largest) statistics.tile = {region.width, region.height};
+}
+
 render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
   return {.primitive = packed.x,
           .lobe = static_cast<render::Lobe>(packed.y & 255u),
@@ -131,8 +139,8 @@ void Band::load(BandRows rows, std::span<const image::FilmPixel> film, std::span
   samplesBefore_ = 0;
   truncatedBefore_ = 0;
   volumeFaultsBefore_ = 0;
-  cursor_.reset();
-  governor_.reset();
+  planner_.reset();
+  stallWatch_ = {};
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.fillBuffer(states_, 0, 0, kernel_.stateBytes * pixels());
     recorder.fillBuffer(film_, 0, 0, filmBytesPerPixel(settings_) * pixels());
@@ -214,6 +222,25 @@ std::uint64_t Band::takeFinishedSamples() {
   return fresh;
 }
 
+std::uint64_t Band::stateHash() const {
+  std::uint64_t hash = 0;
+  const std::uint64_t size = kernel_.stateBytes * pixels();
+  std::vector<std::byte> chunk(std::min(size, kChunkBytes));
+  for (std::uint64_t at = 0; at < size; at += chunk.size()) {
+    const std::span part = std::span(chunk).first(std::min<std::uint64_t>(chunk.size(), size - at));
+    states_.download(part, at);
+    hash = hash * 31 + std::hash<std::string_view>()({reinterpret_cast<const char*>(part.data()), part.size()});
+  }
+  return hash;
+}
+
+void Band::requireProgress(std::uint64_t samplesFinished) {
+  if (!stallWatch_.mustCompare(samplesFinished, planner_->sweeps()) || !stallWatch_.isStalled(stateHash())) return;
+  throw DeviceLostError(
+      fmt::format("{} ({}) reports success, but has traced no path further in {} dispatches of every pixel",
+                  device_.info().name, device_.info().driver, StallWatch::kSweeps));
+}
+
 void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
   const render::Extent workgroup = settings_.execution.workgroupInUse();
   const render::Extent corner{std::min(sampled_.box.width, workgroup.width),
@@ -224,10 +251,9 @@ void Band::warmUp(std::uint32_t sampleEnd, const LoopBudget& budget) {
 bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
                   const render::RenderControl& control, render::RenderStatistics& statistics,
                   const std::function<void(std::uint64_t)>& samplesFinished) {
-  if (!cursor_) cursor_ = cursorOver({sampled_.box.width, sampled_.box.height}, settings_);
-  if (!governor_) {
-    governor_.emplace(governorOptions(settings_, budget, pixels()));
-    governor_->record(governor_->next(), 0, 0);  // the warm-up, which does not count
+  if (!planner_) {
+    planner_.emplace(cursorOver({sampled_.box.width, sampled_.box.height}, settings_),
+                     governorOptions(settings_, budget, pixels()), sampled_.box.height);
   }
   UnfinishedRows unfinished(sampled_.box.width, sampled_.selectedInRows);
   samplesFinished(takeFinishedSamples());  // those of the warm-up
@@ -236,21 +262,17 @@ bool Band::finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopB
       clearCounters();
       return false;
     }
-    const Rect region = cursor_->next(unfinished.pixelsHolding(governor_->next().pixels, cursor_->row()));
-    const std::uint64_t lanes = std::uint64_t{region.width} * region.height;
-    const std::uint64_t active = unfinished.activeIn(region);
+    const PlannedDispatch plan = planner_->next(unfinished);
+    const Rect& region = plan.region;
     const std::uint32_t finishedBefore = counters().finishedPixels;
-    const Plan plan{lanes, governor_->segmentsFor(active)};
     const Rect inBand{sampled_.box.x + region.x, sampled_.box.y + region.y, region.width, region.height};
     const double seconds = dispatch(inBand, plan.segments, sampleEnd, budget);
-    governor_->record(plan, active, seconds);
+    planner_->record(plan, seconds);
     unfinished.finish(region, counters().finishedPixels - finishedBefore);
-    statistics.dispatchSeconds.push_back(seconds);
-    statistics.maxSegmentsPerDispatch = std::max(statistics.maxSegmentsPerDispatch, plan.segments);
-    if (lanes > std::uint64_t{statistics.tile.width} * statistics.tile.height) {
-      statistics.tile = {region.width, region.height};
-    }
-    samplesFinished(takeFinishedSamples());
+    noteDispatch(region, plan.segments, seconds, statistics);
+    const std::uint64_t samples = takeFinishedSamples();
+    samplesFinished(samples);
+    requireProgress(samples);
   }
   clearCounters();
   return true;

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "host/device/device_scene.h"
-#include "host/device/governor.h"
+#include "host/device/dispatch_planner.h"
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
 #include "host/device/sampled_region.h"
+#include "host/device/stall_watch.h"
 #include "host/image/film.h"
 #include "host/render/session.h"
 #include "host/vulkan/binding_set.h"
@@ -52,7 +53,7 @@ class Band {
   void warmUp(std::uint32_t sampleEnd, const LoopBudget& budget);
   /// Dispatches until every pixel has its samples up to `sampleEnd`, exclusive; `pixelsLeft` is the number of pixels
   /// that lack samples. Returns false if `control` stopped it. Calls `samplesFinished` with the number of samples that
-  /// each dispatch finished.
+  /// each dispatch finished. Throws DeviceLostError if paths no longer advance.
   bool finish(std::uint32_t sampleEnd, std::uint64_t pixelsLeft, const LoopBudget& budget,
               const render::RenderControl& control, render::RenderStatistics& statistics,
               const std::function<void(std::uint64_t)>& samplesFinished);
@@ -77,6 +78,8 @@ class Band {
   std::uint64_t recordOffset() const;
   const gpu::Counters& counters() const;
   std::uint64_t takeFinishedSamples();
+  std::uint64_t stateHash() const;
+  void requireProgress(std::uint64_t samplesFinished);
 
   vulkan::Device& device_;
   Kernel kernel_;
@@ -90,9 +93,9 @@ class Band {
   std::uint64_t samplesBefore_ = 0;       ///< sum of the sample indices at which load() started the pixels
   std::uint64_t truncatedBefore_ = 0;     ///< in ranges that are finished
   std::uint64_t volumeFaultsBefore_ = 0;  ///< in ranges that are finished
-  std::optional<TileCursor>
-      cursor_;  ///< continues from one range to the next, so that every tile is processed regularly
-  std::optional<Governor> governor_;  ///< preserves its measurements from one range to the next
+  /// Continues from one range to the next, with its measurements, so that every region is processed regularly.
+  std::optional<DispatchPlanner> planner_;
+  StallWatch stallWatch_;
   vulkan::Buffer states_;
   vulkan::Buffer film_;
   vulkan::Buffer results_;

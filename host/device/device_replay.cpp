@@ -1,10 +1,13 @@
 // Traces one sample of one pixel again on the device.
 #include "host/device/device_replay.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <span>
 
+#include "host/core/errors.h"
 #include "host/device/unpack_trace.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/buffer.h"
@@ -30,8 +33,8 @@ gpu::PathState stateBefore(const render::PixelSample& sample) {
 Kernel replayKernel() { return {"replay", {spirv::replay}, sizeof(gpu::PathState), nullptr}; }
 
 render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline,
-                                 const DeviceScene& scene, const render::PixelSample& sample, const LoopBudget& budget,
-                                 render::RenderStatistics& statistics) {
+                                 const DeviceScene& scene, const render::PixelSample& sample, std::uint32_t maxDepth,
+                                 const LoopBudget& budget, render::RenderStatistics& statistics) {
   vulkan::Buffer state(device, sizeof(gpu::PathState), vulkan::Usage::storage);
   vulkan::Buffer noFilm(device, sizeof(gpu::FilmRows), vulkan::Usage::storage);
   vulkan::Buffer results(device, sizeof(gpu::Counters) + sizeof(gpu::TracedSample), vulkan::Usage::storage);
@@ -47,7 +50,11 @@ render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePi
   constants.maxSegments = std::min(kSegmentsPerDispatch, budget.maxSegments);
   constants.maxIterations = budget.maxIterations;
   gpu::Counters counters{};
-  while (counters.finishedSamples == 0 && counters.truncated == 0) {
+  // Each dispatch traces a segment at least, and a path has no more than `maxDepth`.
+  for (std::uint32_t i = 0; counters.finishedSamples == 0 && counters.truncated == 0; ++i) {
+    if (i == maxDepth)
+      throw DeviceLostError(fmt::format("{} ({}) reports success, but does not trace the sample to its end",
+                                        device.info().name, device.info().driver));
     device.run([&](vulkan::CommandRecorder& recorder) {
       recorder.dispatch(pipeline, bindings, std::as_bytes(std::span(&constants, 1)), {1, 1, 1});
     });

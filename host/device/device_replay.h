@@ -14,7 +14,7 @@ Kernel replayKernel();
 /// Returns the trace of one sample. Adds the loops that the device stopped to `statistics.truncated`. `pipeline` is
 /// made from replayKernel() for the scene.
 render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline,
-                                 const DeviceScene& scene, const render::PixelSample& sample, const LoopBudget& budget,
-                                 render::RenderStatistics& statistics);
+                                 const DeviceScene& scene, const render::PixelSample& sample, std::uint32_t maxDepth,
+                                 const LoopBudget& budget, render::RenderStatistics& statistics);
 
 }  // namespace candela::device

@@ -2,6 +2,7 @@
 #include "host/device/governor.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace candela::device {
 namespace {
@@ -13,6 +14,12 @@ constexpr double kFastGrowth = 8.0;     // per step, while even this growth stay
 constexpr double kSmoothing = 0.3;      // fraction of an increase applied at once, near the target
 constexpr double kAimRecovery = 1.001;  // per dispatch: expensive regions, such as a strip of the image, recur in the
                                         // next sweep
+constexpr std::uint32_t kProbes = 8;
+constexpr std::uint32_t kMaxDispatchesToProbe = 32;  // if they stay short, such as those of a small image
+constexpr double kProbingFraction = 1.0 / 32;        // of the target
+constexpr double kRepresentative = 0.125;            // fraction of the aim: overhead dominates shorter dispatches
+constexpr double kSlack = 2;                         // times the aim, for the most expensive region; below limitSeconds
+constexpr double kCostDecay = 0.9;                   // per target duration of work
 
 std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t most) {
   if (pixels >= static_cast<double>(most)) return most;
@@ -24,6 +31,8 @@ std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, st
 
 Governor::Governor(const GovernorOptions& options)
     : options_(options),
+      probesLeft_(kProbes),
+      dispatchesLeftToProbe_(kMaxDispatchesToProbe),
       aimSeconds_(options.targetSeconds),
       budget_(static_cast<double>(std::min<std::uint64_t>(options.workgroupPixels, options.totalPixels))) {}
 
@@ -47,19 +56,35 @@ Plan Governor::next() const {
   return {roundToWorkgroups(budget_ / segments, options_.workgroupPixels, options_.totalPixels), segments};
 }
 
+double Governor::aim() const {
+  return isProbing() ? std::min(aimSeconds_, options_.targetSeconds * kProbingFraction) : aimSeconds_;
+}
+
+void Governor::noteCost(const Plan& plan, double units, double seconds) {
+  maxCost_ *= std::pow(kCostDecay, seconds / options_.targetSeconds);
+  const bool isRepresentative = seconds >= aim() * kRepresentative;
+  if (isRepresentative) maxCost_ = std::max(maxCost_, seconds / units);
+  if (!isProbing()) return;
+  --dispatchesLeftToProbe_;
+  if (!isRepresentative) return;
+  probedPixels_ += plan.pixels;
+  probesLeft_ = probedPixels_ >= options_.totalPixels ? 0 : probesLeft_ - 1;
+}
+
 void Governor::record(const Plan& plan, std::uint64_t activePixels, double seconds) {
   if (!isWarm_) {
     isWarm_ = true;
     return;
   }
   const double units = static_cast<double>(std::max<std::uint64_t>(1, activePixels)) * plan.segments;
+  noteCost(plan, units, seconds);
   // The image's last strip, or one that is nearly finished. Its duration is mostly overhead and has no information.
   if (units < budget_ / 2 && seconds < options_.targetSeconds / 2) return;
 
   const bool isOverLimit = seconds > options_.limitSeconds;
   aimSeconds_ = isOverLimit ? std::max(aimSeconds_ / 2, options_.targetSeconds / 4)
                             : std::min(aimSeconds_ * kAimRecovery, options_.targetSeconds);
-  const double fitting = units * aimSeconds_ / std::max(seconds, 1e-9);
+  const double fitting = aim() / std::max(maxCost_ / kSlack, std::max(seconds, 1e-9) / units);
   if (fitting < budget_) {
     cut(fitting);
   } else {
@@ -71,12 +96,12 @@ void Governor::cut(double fittingUnits) { budget_ = std::max(fittingUnits, 1.0);
 
 void Governor::raise(double units, double fittingUnits, double seconds) {
   const double base = std::max(budget_, units);
-  if (seconds * kFastGrowth < options_.targetSeconds) {
+  if (seconds * kFastGrowth < aim()) {
     budget_ = std::min(fittingUnits, base * kFastGrowth);
     return;
   }
   const double most = std::min(fittingUnits, base * kGrowth);
-  budget_ += (most - budget_) * (seconds * kGrowth < options_.targetSeconds ? 1.0 : kSmoothing);
+  budget_ += (most - budget_) * (seconds * kGrowth < aim() ? 1.0 : kSmoothing);
 }
 
 }  // namespace candela::device

@@ -23,9 +23,13 @@ struct Plan {
 };
 
 /// Assumes that the duration of a dispatch is proportional to its *units*, active pixels times segments, at a cost that
-/// depends on the device and the scene and changes during the render. The governor has a budget of units: a dispatch
-/// that took too long reduces it at once, short ones increase it step by step. It has no clock; durations are passed to
-/// it. The first dispatch is tiny and its duration does not count, because drivers compile during it.
+/// depends on the device, the scene and the region. The governor has a budget of units: a dispatch that took too long
+/// reduces it at once, short ones increase it step by step. It has no clock; durations are passed to it. The first
+/// dispatch is tiny and its duration does not count, because drivers compile during it.
+///
+/// The budget is at most what the most expensive of the last regions permits, so that a cheap one, such as the sky,
+/// does not decide how much work the next one gets. At first the governor *probes*: it aims at 1/32 of the target,
+/// while its caller dispatches regions all over the image.
 class Governor {
  public:
   explicit Governor(const GovernorOptions& options);
@@ -39,15 +43,23 @@ class Governor {
   /// Records the duration of a dispatch. `plan` is the plan that was executed; `activePixels` of its pixels had work
   /// left when it began.
   void record(const Plan& plan, std::uint64_t activePixels, double seconds);
+  /// Returns whether the next dispatch belongs into a region far from the last one.
+  bool isProbing() const { return probesLeft_ > 0 && dispatchesLeftToProbe_ > 0; }
 
  private:
+  double aim() const;
+  void noteCost(const Plan& plan, double units, double seconds);
   void cut(double fittingUnits);
   void raise(double units, double fittingUnits, double seconds);
 
   GovernorOptions options_;
   bool isWarm_ = false;
-  double aimSeconds_;  ///< between a quarter of the target and the target
-  double budget_;      ///< units for the next dispatch
+  std::uint32_t probesLeft_;             ///< dispatches of representative duration until the end of probing
+  std::uint32_t dispatchesLeftToProbe_;  ///< of any duration
+  std::uint64_t probedPixels_ = 0;       ///< by dispatches of representative duration
+  double maxCost_ = 0;                   ///< largest seconds per unit of the last regions, which decays; 0: unknown
+  double aimSeconds_;                    ///< between a quarter of the target and the target
+  double budget_;                        ///< units for the next dispatch
 };
 
 }  // namespace candela::device

@@ -232,7 +232,8 @@ render::PathRecords GpuSession::paths() {
 render::Replay GpuSession::replay(const render::PixelSample& sample) {
   const std::vector<vulkan::ComputePipeline> pipelines = pipelinesOf(replayKernel());
   render::Replay replay{{}, prepared_};
-  replay.path = replayOnDevice(context_->device, pipelines.front(), *deviceScene_, sample, budget_, replay.statistics);
+  replay.path = replayOnDevice(context_->device, pipelines.front(), *deviceScene_, sample, settings_.image.maxDepth,
+                               budget_, replay.statistics);
   return replay;
 }
 

@@ -24,10 +24,16 @@ std::unique_ptr<Band> GpuSession::tryBand() {
 
 // Not called during preparation, because a session that only replays samples needs no band.
 void GpuSession::makeBand() {
-  const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
+  const vulkan::MemoryUse before = context_->device.memoryUse();
   while ((band_ = tryBand()) == nullptr) bandHeight_ = (bandHeight_ + 1) / 2;
-  prepared_.deviceBytes += context_->device.memoryUse().currentBytes - bytesBefore;
+  const vulkan::MemoryUse now = context_->device.memoryUse();
+  prepared_.deviceBytes += now.currentBytes - before.currentBytes;
   statistics_.deviceBytes = prepared_.deviceBytes;
+  if (now.systemBytes == before.systemBytes) return;
+  statistics_.warnings.push_back(fmt::format(
+      "the memory of {} is full, so that {} MiB are in system memory, which is slower: close other programs "
+      "that use the device, or render a smaller --size or --crop",
+      context_->device.info().name, (now.systemBytes - before.systemBytes) >> 20));
 }
 
 // Takes the results of the resident band from the device.

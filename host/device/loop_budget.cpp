@@ -20,6 +20,9 @@ std::uint64_t bruteForceSegments(std::uint32_t limit, std::uint64_t primitives, 
   return limit / 2 / (raysPerSegment * primitives + kOtherIterations);
 }
 
+// Brute force over more primitives makes a segment of a few pixels so long that drivers may end it.
+constexpr std::size_t kMaxPreferredBruteForce = std::size_t{1} << 18;
+
 std::uint32_t maxBruteForcePrimitives(std::uint32_t limit, std::uint32_t raysPerSegment) {
   return limit / 2 > kOtherIterations ? (limit / 2 - kOtherIterations) / raysPerSegment : 0;
 }
@@ -29,7 +32,16 @@ std::uint32_t maxBruteForcePrimitives(std::uint32_t limit, std::uint32_t raysPer
 void preferBvh(std::uint32_t limit, const vulkan::DeviceInfo& info, const scene::Scene& scene,
                std::uint32_t raysPerSegment, render::StructureSettings& structure, std::vector<std::string>& warnings) {
   const bool mayChange = structure.accel == render::AccelKind::none && structure.accelIsPreference;
-  if (!mayChange || limit == vulkan::kUnlimitedIterations) return;
+  if (!mayChange) return;
+  if (scene.primitives.size() > kMaxPreferredBruteForce) {
+    structure.accel = render::AccelKind::bvh;
+    warnings.push_back(fmt::format(
+        "the scene requests no acceleration structure for {} primitives: a BVH is used, which gives the same image and "
+        "keeps work on {} short; --accel none traces without one",
+        scene.primitives.size(), info.name));
+    return;
+  }
+  if (limit == vulkan::kUnlimitedIterations) return;
   if (bruteForceSegments(limit, scene.primitives.size(), raysPerSegment) > 0) return;
   structure.accel = render::AccelKind::bvh;
   warnings.push_back(

@@ -20,8 +20,8 @@ struct LoopBudget {
 LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
                       std::uint32_t raysPerSegment);
 
-/// If `structure` prefers AccelKind::none and the limit does not let the device test all primitives of the scene
-/// sequentially, chooses a BVH instead and adds a sentence to `warnings`.
+/// If `structure` prefers AccelKind::none and the scene has more than 2^18 primitives, or the limit does not let the
+/// device test all of them sequentially, chooses a BVH instead and adds a sentence to `warnings`.
 void preferBvh(std::uint32_t limit, const vulkan::DeviceInfo& info, const scene::Scene& scene,
                std::uint32_t raysPerSegment, render::StructureSettings& structure, std::vector<std::string>& warnings);
 

@@ -26,6 +26,11 @@ TileCursor TileCursor::ofTiles(render::Extent image, render::Extent tile) {
   return cursor;
 }
 
+void TileCursor::moveTo(std::uint32_t row) {
+  x_ = 0;
+  y_ = std::min(row, image_.height - 1) / step_.height * step_.height;
+}
+
 Rect TileCursor::next(std::uint64_t pixelsWanted) {
   const std::uint32_t rowsLeft = image_.height - y_;
   const std::uint32_t stripHeight = std::min(step_.height, rowsLeft);

@@ -23,6 +23,8 @@ class TileCursor {
   /// width if that has few enough pixels, else a part of a strip that is one workgroup high. The rest of a strip or of
   /// the image is divided evenly, so that no small remainder comes last.
   Rect next(std::uint64_t pixelsWanted);
+  /// Continues at the left edge of the strip of workgroups or tiles that contains this row of the image.
+  void moveTo(std::uint32_t row);
   /// First row of the next rectangle.
   std::uint32_t row() const { return y_; }
   /// Returns whether the next rectangle is the first of a sweep.

@@ -64,6 +64,8 @@ constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrat
 
 /// Everything that determines the image. Two renders of one scene with equal ImageSettings have equal films, bit for
 /// bit, on one device, whatever the other settings are (except that Integrator::cost shows the acceleration structure).
+/// Settings that select another compiled kernel are an exception where a compiler contracts operations differently in
+/// each: docs/testing.md, "Equal bits on other devices".
 struct ImageSettings {
   Extent size;                     ///< pixels, each in [1, 65535]
   std::optional<Window> crop;      ///< pixels that are rendered, within `size`; absent: all. It changes none of them

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
@@ -29,10 +30,16 @@ bool presents(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queu
   return (flags & vk::QueueFlagBits::eGraphics) && hasExtension(physicalDevice, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
 }
 
+// One queue renders and draws; a second one presents, if the family has it.
+std::uint32_t presentingQueues(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily) {
+  return std::min(2u, physicalDevice.getQueueFamilyProperties()[queueFamily].queueCount);
+}
+
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily,
                               const DeviceOptions& options, bool presents) {
-  const float priority = 1.0f;
-  const vk::DeviceQueueCreateInfo queue({}, queueFamily, 1, &priority);
+  const std::array<float, 2> priorities{1.0f, 1.0f};
+  const vk::DeviceQueueCreateInfo queue({}, queueFamily, presents ? presentingQueues(physicalDevice, queueFamily) : 1,
+                                        priorities.data());
   std::vector<const char*> extensions;
   if (hasExtension(physicalDevice, kPortabilitySubset)) extensions.push_back(kPortabilitySubset);
   if (presents) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
@@ -61,6 +68,7 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
   canPresent = presents(physicalDevice, queueFamily, options);
   handle = createDevice(physicalDevice, queueFamily, options, canPresent);
   queue = handle.getQueue(queueFamily, 0);
+  if (canPresent && presentingQueues(physicalDevice, queueFamily) > 1) presentQueue = handle.getQueue(queueFamily, 1);
   pipelineCache = handle.createPipelineCache({});
   commandPool = handle.createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, queueFamily});
   const vk::CommandBufferAllocateInfo commandInfo(*commandPool, vk::CommandBufferLevel::ePrimary, 1);

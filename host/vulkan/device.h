@@ -21,6 +21,7 @@ struct Recording;
 struct MemoryUse {
   std::uint64_t currentBytes = 0;
   std::uint64_t peakBytes = 0;
+  std::uint64_t systemBytes = 0;  ///< of all buffers so far for which device memory had no room
 };
 
 struct DeviceOptions {

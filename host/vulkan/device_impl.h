@@ -38,6 +38,9 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   std::uint32_t queueFamily = 0;
   vk::raii::Queue queue{nullptr};
   std::mutex queueMutex;  ///< held whenever the queue is used
+  /// A second queue of the family for vkQueuePresentKHR, which may block; null if there is only one, or no window. Only
+  /// the window's thread uses it.
+  vk::raii::Queue presentQueue{nullptr};
   bool canPresent = false;
   vk::raii::PipelineCache pipelineCache{nullptr};
   vk::raii::CommandPool commandPool{nullptr};
@@ -58,6 +61,8 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   RawBuffer& staging();
   /// Adds to memoryUse; removes if `bytes` is negative.
   void countMemory(std::int64_t bytes);
+  /// Adds to MemoryUse::systemBytes.
+  void countSystemMemory(std::uint64_t bytes);
 
   /// Adds a command to the recording, if there is one. `make` returns the command.
   template <class Make>

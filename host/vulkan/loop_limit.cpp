@@ -12,7 +12,7 @@
 namespace candela::vulkan {
 namespace {
 
-constexpr std::uint32_t kRequestedIterations = 1u << 20;
+constexpr std::uint32_t kRequestedIterations = 1u << 17;
 
 /// The buffer of shaders/loop_probe.comp.
 struct ProbeData {

@@ -8,7 +8,7 @@ class Device;
 
 inline constexpr std::uint32_t kUnlimitedIterations = 0xffffffffu;
 
-/// Runs a loop of 2^20 iterations in one invocation. Returns kUnlimitedIterations if all of them ran, else their
+/// Runs a loop of 2^17 iterations in one invocation. Returns kUnlimitedIterations if all of them ran, else their
 /// number. lavapipe stops after about 65,535 iterations of all loops of an invocation in total. It counts an iteration
 /// if any lane of its SIMD group of 4 to 16 invocations is active, so that the budget of one invocation is this number
 /// divided by the subgroup size if invocations diverge.

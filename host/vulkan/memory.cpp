@@ -25,15 +25,17 @@ bool isUnified(vk::MemoryPropertyFlags flags) {
 constexpr vk::MemoryPropertyFlags kUnusable = Flag::eLazilyAllocated | Flag::eProtected | Flag::eDeviceCoherentAMD |
                                               Flag::eDeviceUncachedAMD | Flag::eRdmaCapableNV;
 
-/// Rates the suitability of a memory type; higher is better, 0 is unsuitable.
-int score(vk::MemoryPropertyFlags flags, MemoryPreference preference) {
+/// Rates the suitability of a memory type; higher is better, 0 is unsuitable. `isFirst`: it is the first type of device
+/// memory. A driver lists types in the order of their speed, so that unified memory after it is slower for the device
+/// (RADV on integrated GPUs: snooped system memory).
+int score(vk::MemoryPropertyFlags flags, bool isFirst, MemoryPreference preference) {
   const bool isMappable = contains(flags, Flag::eHostVisible | Flag::eHostCoherent);
   if (flags & kUnusable) return 0;
   if (preference == MemoryPreference::host) {
     if (!isMappable) return 0;
     return (flags & Flag::eHostCached) ? 2 : 1;
   }
-  if (isUnified(flags)) return 4;
+  if (isUnified(flags) && isFirst) return 4;
   if (flags & Flag::eDeviceLocal) return isMappable ? 2 : 3;
   return 1;
 }
@@ -42,7 +44,10 @@ int score(vk::MemoryPropertyFlags flags, MemoryPreference preference) {
 std::vector<std::uint32_t> suitableTypes(const vk::PhysicalDeviceMemoryProperties& memory, std::uint32_t allowedTypes,
                                          MemoryPreference preference) {
   std::vector<std::uint32_t> types;
-  const auto scoreOf = [&](std::uint32_t type) { return score(memory.memoryTypes[type].propertyFlags, preference); };
+  const auto flagsOf = [&](std::uint32_t type) { return memory.memoryTypes[type].propertyFlags; };
+  std::uint32_t first = 0;
+  while (first < memory.memoryTypeCount && !(flagsOf(first) & Flag::eDeviceLocal)) ++first;
+  const auto scoreOf = [&](std::uint32_t type) { return score(flagsOf(type), type == first, preference); };
   for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
     if ((allowedTypes >> type & 1u) != 0 && scoreOf(type) > 0) types.push_back(type);
   }
@@ -76,6 +81,8 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
       buffer.handle.bindMemory(*buffer.memory, 0);
       const bool map = preference == MemoryPreference::host ||
                        (options.mapDeviceMemory && isUnified(memoryProperties.memoryTypes[type].propertyFlags));
+      const bool isOnDevice = bool(memoryProperties.memoryTypes[type].propertyFlags & Flag::eDeviceLocal);
+      if (preference == MemoryPreference::device && !isOnDevice) countSystemMemory(bytes);
       if (map) buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
       return buffer;
     }
@@ -90,6 +97,11 @@ void Device::Impl::countMemory(std::int64_t bytes) {
   const std::scoped_lock lock(memoryMutex);
   memoryUse.currentBytes += static_cast<std::uint64_t>(bytes);
   memoryUse.peakBytes = std::max(memoryUse.peakBytes, memoryUse.currentBytes);
+}
+
+void Device::Impl::countSystemMemory(std::uint64_t bytes) {
+  const std::scoped_lock lock(memoryMutex);
+  memoryUse.systemBytes += bytes;
 }
 
 RawBuffer& Device::Impl::staging() {

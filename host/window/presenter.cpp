@@ -16,7 +16,7 @@ using Access = vk::AccessFlagBits;
 using Layout = vk::ImageLayout;
 using Stage = vk::PipelineStageFlagBits;
 
-constexpr std::uint64_t kForever = std::numeric_limits<std::uint64_t>::max();
+constexpr std::uint64_t kSlice = 50'000'000;  // nanoseconds of a wait, after which events and failures are noticed
 constexpr vk::ImageUsageFlags kUsage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eColorAttachment;
 
 constexpr vk::ImageSubresourceRange wholeColour() { return {vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1}; }
@@ -27,6 +27,15 @@ void transition(const vk::raii::CommandBuffer& commands, vk::Image image, Layout
   const vk::ImageMemoryBarrier barrier(Access::eTransferWrite, Access::eTransferWrite | drawing, from, to,
                                        VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED, image, wholeColour());
   commands.pipelineBarrier(stages, stages, {}, {}, {}, barrier);
+}
+
+// Frames are opaque, so that the alternatives show the same.
+vk::CompositeAlphaFlagBitsKHR compositeAlphaOf(const vk::SurfaceCapabilitiesKHR& surface) {
+  using Alpha = vk::CompositeAlphaFlagBitsKHR;
+  for (const Alpha alpha : {Alpha::eOpaque, Alpha::eInherit, Alpha::ePreMultiplied}) {
+    if (surface.supportedCompositeAlpha & alpha) return alpha;
+  }
+  return Alpha::ePostMultiplied;
 }
 
 }  // namespace
@@ -58,11 +67,17 @@ Presenter::Presenter(vulkan::Device device, vk::raii::SurfaceKHR surface, const 
 }
 
 Presenter::~Presenter() {
-  const std::scoped_lock lock(device_.impl()->queueMutex);
   try {
-    device_.impl()->queue.waitIdle();
+    waitForPresentation();
   } catch (const vk::SystemError&) {  // the device is lost, and uses nothing any more
   }
+}
+
+void Presenter::waitForPresentation() {
+  vulkan::Device::Impl& impl = *device_.impl();
+  if (*impl.presentQueue) impl.presentQueue.waitIdle();
+  const std::scoped_lock lock(impl.queueMutex);
+  impl.queue.waitIdle();
 }
 
 // 8 bits without a conversion, because the kernel encodes.
@@ -86,6 +101,13 @@ void Presenter::makeRenderPass() {
   renderPass_ = device_.impl()->handle.createRenderPass({{}, colour, subpass});
 }
 
+// The images of `mailbox` never block. All surfaces have `fifo`.
+vk::PresentModeKHR Presenter::presentMode() const {
+  const auto modes = device_.impl()->physicalDevice.getSurfacePresentModesKHR(*surface_);
+  const bool hasMailbox = std::ranges::find(modes, vk::PresentModeKHR::eMailbox) != modes.end();
+  return hasMailbox ? vk::PresentModeKHR::eMailbox : vk::PresentModeKHR::eFifo;
+}
+
 void Presenter::makeSwapchain() {
   const vulkan::Device::Impl& impl = *device_.impl();
   const vk::SurfaceCapabilitiesKHR surface = impl.physicalDevice.getSurfaceCapabilitiesKHR(*surface_);
@@ -94,16 +116,18 @@ void Presenter::makeSwapchain() {
     extent_ = vk::Extent2D(std::clamp(wanted_.width, surface.minImageExtent.width, surface.maxImageExtent.width),
                            std::clamp(wanted_.height, surface.minImageExtent.height, surface.maxImageExtent.height));
   }
-  if (extent_.width == 0 || extent_.height == 0) return;
+  mustRecreate_ = extent_.width == 0 || extent_.height == 0;
+  if (mustRecreate_) return;
+  if ((surface.supportedUsageFlags & kUsage) != kUsage) {
+    throw NoDeviceError(impl.info.name + " cannot copy pictures to windows of this display; choose another --device");
+  }
   const std::uint32_t most = surface.maxImageCount == 0 ? std::numeric_limits<std::uint32_t>::max()
                                                         : surface.maxImageCount;
   vk::SwapchainCreateInfoKHR info({}, *surface_, std::min(surface.minImageCount + 1, most), format_, colourSpace_,
                                   extent_, 1, kUsage);
   info.preTransform = surface.currentTransform;
-  info.compositeAlpha = (surface.supportedCompositeAlpha & vk::CompositeAlphaFlagBitsKHR::eOpaque)
-                            ? vk::CompositeAlphaFlagBitsKHR::eOpaque
-                            : vk::CompositeAlphaFlagBitsKHR::eInherit;
-  info.presentMode = vk::PresentModeKHR::eFifo;
+  info.compositeAlpha = compositeAlphaOf(surface);
+  info.presentMode = presentMode();
   info.clipped = VK_TRUE;
   info.oldSwapchain = *swapchain_;
   swapchain_ = vk::raii::SwapchainKHR(impl.handle, info);
@@ -126,8 +150,11 @@ void Presenter::makeTargets() {
 }
 
 void Presenter::waitForLastFrame() {
-  vulkan::guarded("wait for a frame",
-                  [&] { static_cast<void>(device_.impl()->handle.waitForFences(*fence_, VK_TRUE, kForever)); });
+  vulkan::guarded("wait for a frame", [&] {
+    while (device_.impl()->handle.waitForFences(*fence_, VK_TRUE, kSlice) == vk::Result::eTimeout) {
+      if (device_.hasFailed()) throw DeviceLostError(device_.info().name + " does not finish a frame of the window");
+    }
+  });
 }
 
 // All frames are finished, so that nothing uses the old swapchain's images.
@@ -135,8 +162,7 @@ void Presenter::resize(const render::Extent& size) {
   wanted_ = size;
   waitForLastFrame();
   vulkan::guarded("resize a window", [&] {
-    const std::scoped_lock lock(device_.impl()->queueMutex);
-    device_.impl()->queue.waitIdle();
+    waitForPresentation();
     makeSwapchain();
   });
 }
@@ -158,28 +184,43 @@ void Presenter::submit(std::uint32_t image) {
   }
 }
 
-bool Presenter::present(std::uint32_t image) {
+void Presenter::present(std::uint32_t image) {
   vulkan::Device::Impl& impl = *device_.impl();
   const vk::Semaphore drawn = *drawn_[image];
   const vk::SwapchainKHR swapchain = *swapchain_;
-  const std::scoped_lock lock(impl.queueMutex);
-  return impl.queue.presentKHR({drawn, swapchain, image}) == vk::Result::eSuccess;
+  const vk::PresentInfoKHR info(drawn, swapchain, image);
+  const bool isShared = !*impl.presentQueue;
+  std::unique_lock lock(impl.queueMutex, std::defer_lock);
+  if (isShared) lock.lock();
+  const vk::Result result = (isShared ? impl.queue : impl.presentQueue).presentKHR(info);
+  mustRecreate_ = mustRecreate_ || result == vk::Result::eSuboptimalKHR;
+}
+
+// Returns the index of an image; nothing if none is free.
+std::optional<std::uint32_t> Presenter::acquire() {
+  const auto [result, image] = swapchain_.acquireNextImage(kSlice, *acquired_);
+  if (result == vk::Result::eTimeout || result == vk::Result::eNotReady) return std::nullopt;
+  mustRecreate_ = result == vk::Result::eSuboptimalKHR;
+  return image;
 }
 
 bool Presenter::draw(const std::function<void(const Frame&)>& record) {
   if (extent_.width == 0 || extent_.height == 0) return false;
   waitForLastFrame();
   try {
-    const auto [result, image] = swapchain_.acquireNextImage(kForever, *acquired_);
+    const std::optional<std::uint32_t> image = acquire();
+    if (!image) return false;
     pool_.reset();
     commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    const Frame frame{{*device_.impl(), commands_}, commands_, images_[image], *framebuffers_[image], extent_};
+    const Frame frame{{*device_.impl(), commands_}, commands_, images_[*image], *framebuffers_[*image], extent_};
     record(frame);
     frame.recorder.makeVisibleToHost();
     commands_.end();
-    submit(image);
-    return present(image) && result == vk::Result::eSuccess;
+    submit(*image);
+    present(*image);
+    return true;
   } catch (const vk::OutOfDateKHRError&) {
+    mustRecreate_ = true;
     return false;
   } catch (const vk::SystemError& error) {
     vulkan::throwTranslated(error, "present a frame");

@@ -2,6 +2,7 @@
 #pragma once
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vulkan/vulkan_raii.hpp>
 
 #include "host/render/extent.h"
@@ -32,6 +33,8 @@ class Presenter {
 
   /// Sets the size of the following frames, if the surface permits it.
   void resize(const render::Extent& size);
+  /// Returns whether frames of another size were requested last, or the surface has changed: resize() must be called.
+  bool mustResize(const render::Extent& size) const { return mustRecreate_ || size != wanted_; }
   /// Size of the frames; 0 x 0 while the window is minimised.
   render::Extent size() const { return {extent_.width, extent_.height}; }
   bool isBlueFirst() const { return format_ == vk::Format::eB8G8R8A8Unorm; }
@@ -40,9 +43,12 @@ class Presenter {
   vk::RenderPass renderPass() const { return *renderPass_; }
   vulkan::Device& device() { return device_; }
 
-  /// Waits until the last frame is finished: its inputs may then be overwritten.
+  /// Waits until the last frame is finished: its inputs may then be overwritten. Throws DeviceLostError if work on the
+  /// device fails meanwhile, on whichever thread.
   void waitForLastFrame();
-  /// Records and presents a frame. Returns false if the window has no room for one, or has changed its size.
+  /// Records and presents a frame. Returns false if the window has no room for one, if the surface has changed, or if
+  /// no image of the swapchain becomes free, for example while the window is hidden: the frame is then to be drawn
+  /// later.
   bool draw(const std::function<void(const Frame&)>& record);
 
  private:
@@ -50,12 +56,16 @@ class Presenter {
   void makeRenderPass();
   void makeSwapchain();
   void makeTargets();
+  vk::PresentModeKHR presentMode() const;
+  void waitForPresentation();
+  std::optional<std::uint32_t> acquire();
   void submit(std::uint32_t image);
-  bool present(std::uint32_t image);
+  void present(std::uint32_t image);
 
   vulkan::Device device_;
   vk::raii::SurfaceKHR surface_;
-  render::Extent wanted_;
+  render::Extent wanted_;  ///< the size that was requested last
+  bool mustRecreate_ = false;
   vk::Format format_{};
   vk::ColorSpaceKHR colourSpace_{};
   vk::Extent2D extent_;

@@ -8,6 +8,7 @@
 
 #include "host/core/errors.h"
 #include "host/core/progress.h"
+#include "host/vulkan/unfinished_work.h"
 #include "host/window/key_map.h"
 
 namespace candela::window {
@@ -43,24 +44,31 @@ Screen::Screen(const ViewerOptions& options, const render::Extent& size)
     : glfw_(openGlfw()),
       device_(openPresenting(options, glfw_)),
       window_(glfw_, size, "candela: " + options.scene.filename().string()),
-      presenter_(device_, window_.surface(device_.impl()->instance.handle), window_.framebuffer()),
-      picturePainter_(device_),
-      guiPainter_(device_, presenter_.renderPass()),
-      devicePicture_(device_),
+      presenter_(std::make_unique<Presenter>(device_, window_.surface(device_.impl()->instance.handle),
+                                             window_.framebuffer())),
+      picturePainter_(std::make_unique<PicturePainter>(device_)),
+      guiPainter_(std::make_unique<GuiPainter>(device_, presenter_->renderPass())),
+      devicePicture_(std::make_unique<DevicePicture>(device_)),
       lastTime_(monotonicSeconds()) {}
 
 Screen::~Screen() {
   try {
-    presenter_.waitForLastFrame();
-  } catch (const Error&) {  // the device is lost, and uses nothing any more
+    presenter_->waitForLastFrame();
+  } catch (const Error&) {  // the device is lost, and uses nothing any more, or it hangs
   }
+  if (!vulkan::hasUnfinishedWork()) return;
+  // A device that hangs may be using these objects until the process ends.
+  static_cast<void>(devicePicture_.release());
+  static_cast<void>(guiPainter_.release());
+  static_cast<void>(picturePainter_.release());
+  static_cast<void>(presenter_.release());
 }
 
 bool Screen::resize() {
-  if (window_.framebuffer() == presenter_.size()) return false;
-  const render::Extent before = presenter_.size();
-  presenter_.resize(window_.framebuffer());
-  return presenter_.size() != before;
+  if (!presenter_->mustResize(window_.framebuffer())) return false;
+  const render::Extent before = presenter_->size();
+  presenter_->resize(window_.framebuffer());
+  return presenter_->size() != before;
 }
 
 void Screen::setTitle(const std::string& title) {
@@ -68,7 +76,7 @@ void Screen::setTitle(const std::string& title) {
 }
 
 void Screen::beginPanels() {
-  const render::Extent size = presenter_.size();
+  const render::Extent size = presenter_->size();
   const double now = monotonicSeconds();
   ImGui::GetIO().DisplaySize = ImVec2(static_cast<float>(size.width), static_cast<float>(size.height));
   ImGui::GetIO().DeltaTime = static_cast<float>(std::max(1e-4, now - lastTime_));
@@ -77,19 +85,19 @@ void Screen::beginPanels() {
 }
 
 bool Screen::draw(const PaintedView& view, const std::function<void(const gpu::PointedValues&)>& panels) {
-  presenter_.waitForLastFrame();
-  const render::Extent size = presenter_.size();
+  presenter_->waitForLastFrame();
+  const render::Extent size = presenter_->size();
   if (size.width == 0 || size.height == 0) return false;
-  picturePainter_.prepare(size, view);
+  picturePainter_->prepare(size, view);
   beginPanels();
-  panels(picturePainter_.pointed());
+  panels(picturePainter_->pointed());
   ImGui::Render();
-  return presenter_.draw([&](const Presenter::Frame& frame) {
+  return presenter_->draw([&](const Presenter::Frame& frame) {
     vulkan::CommandRecorder recorder(frame.recorder);
-    picturePainter_.record(recorder, view, presenter_.isBlueFirst());
+    picturePainter_->record(recorder, view, presenter_->isBlueFirst());
     frame.recorder.makeVisibleToNext();
-    copyToImage(frame, picturePainter_.pixels());
-    guiPainter_.record(frame, presenter_.renderPass(), *ImGui::GetDrawData());
+    copyToImage(frame, picturePainter_->pixels());
+    guiPainter_->record(frame, presenter_->renderPass(), *ImGui::GetDrawData());
   });
 }
 

@@ -1,6 +1,7 @@
 // The window, and how its frames are drawn.
 #pragma once
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "host/window/device_picture.h"
@@ -32,16 +33,17 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
 
   DesktopWindow& window() { return window_; }
-  DevicePicture& devicePicture() { return devicePicture_; }
-  const DevicePicture& devicePicture() const { return devicePicture_; }
-  render::Extent size() const { return presenter_.size(); }
+  DevicePicture& devicePicture() { return *devicePicture_; }
+  const DevicePicture& devicePicture() const { return *devicePicture_; }
+  render::Extent size() const { return presenter_->size(); }
 
-  /// Follows the window's size. Returns whether the frames have another size than before.
+  /// Follows the window's size and changes of its surface. Returns whether the frames have another size than before.
   bool resize();
   /// Sets the title of the window, if it is another one.
   void setTitle(const std::string& title);
   /// Draws a frame: the picture, and over it the panels that `panels` draws with Dear ImGui; its argument is the values
-  /// below the pointer. Returns whether the frame is shown: a window that is minimised shows none.
+  /// below the pointer. Returns whether the frame is shown. A window that is minimised shows none; otherwise the frame
+  /// is to be drawn again.
   bool draw(const PaintedView& view, const std::function<void(const gpu::PointedValues&)>& panels);
 
  private:
@@ -50,11 +52,11 @@ class Screen {
   const Glfw& glfw_;
   vulkan::Device device_;
   DesktopWindow window_;
-  Presenter presenter_;
+  std::unique_ptr<Presenter> presenter_;
   GuiContext gui_;
-  PicturePainter picturePainter_;
-  GuiPainter guiPainter_;
-  DevicePicture devicePicture_;
+  std::unique_ptr<PicturePainter> picturePainter_;
+  std::unique_ptr<GuiPainter> guiPainter_;
+  std::unique_ptr<DevicePicture> devicePicture_;
   std::string title_;
   double lastTime_;  ///< of the last frame, by monotonicSeconds()
 };

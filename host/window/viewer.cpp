@@ -255,7 +255,12 @@ void Viewer::draw() {
     choice = panels_.draw(state_, input);
     drawDivider(state_, input);
   });
-  if (isShown) measure();
+  const bool isMinimised = screen_.size().width == 0 || screen_.size().height == 0;
+  if (isShown) {
+    measure();
+  } else if (!isMinimised) {
+    framesToDraw_ = std::max(framesToDraw_, 1);
+  }
   apply(choice);
 }
 
@@ -281,7 +286,10 @@ ViewerReport Viewer::run() {
     const std::uint64_t serial = shown_.serial;
     shown_ = engine_.view();
     followScene();
-    if (screen_.resize()) place();
+    if (screen_.resize()) {
+      place();
+      framesToDraw_ = 2;
+    }
     if (!events.empty() || shown_.serial != serial) framesToDraw_ = 2;
     if (framesToDraw_ == 0) continue;
     --framesToDraw_;

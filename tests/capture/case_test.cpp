@@ -1,6 +1,7 @@
 // Captures of cases, which are compiled and run.
 #include <catch2/catch.hpp>
 #include <filesystem>
+#include <fstream>
 
 #include "tests/capture/reproducer.h"
 #include "tests/vulkan_support/test_device.h"
@@ -33,6 +34,22 @@ TEST_CASE("capture: a program gives the results of each kind of case") {
     CHECK_THAT(run.out, Contains(name));
     CHECK_THAT(run.out, Contains("\n0 of "));
   }
+}
+
+TEST_CASE("capture: a program chooses the device of the capture, and warns where it is missing") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("shift");
+  captureTo(output, {"leaf.integer.shift"});
+  compileReproducer(output);
+  CHECK_THAT(runIn(output).out, Contains("leaf.integer.shift on " + openTestDevice().info().name));
+  const std::string header = readText(output + "/capture.h");
+  const std::string line = "#define CAPTURE_DEVICE \"";
+  REQUIRE_THAT(header, Contains(line + openTestDevice().info().name));
+  const std::string other = header.substr(0, header.find(line)) + line + "Other " +
+                            header.substr(header.find(line) + line.size());
+  std::ofstream(output + "/capture.h") << other;
+  compileReproducer(output);
+  CHECK_THAT(runIn(output).out, Contains("warning: the capture is of Other ") && Contains("using device 0"));
 }
 
 TEST_CASE("capture: the known faults of lavapipe 22.3.6 are reduced to one or two invocations") {

@@ -114,6 +114,32 @@ TEST_CASE("a device that fails repeatedly ends a render with a film from which i
   CHECK(render.film("film.exr", "", {"--resume", film}) == whole);
 }
 
+TEST_CASE("a driver that leaves work out without an error ends a render, which can be resumed") {
+  const Render render;
+  const std::string whole = render.film("whole.exr");
+  const std::string film = render.folder.path("film.exr");
+  const std::string kernel = GENERATE("megakernel", "wavefront");
+  CAPTURE(kernel);
+  const ProgramResult stalled = render.run({"--checkpoint", film, "--checkpoint-every", "0.01s", "--time-limit", "60s",
+                                            "--kernel", kernel, "--segments-per-dispatch", "2"},
+                                           "vkCmdDispatch:60+:DROP_WIDE");
+  INFO(stalled.err);
+  CHECK(stalled.exitCode == 5);
+  CHECK(contains(stalled.err, "reports success, but has traced no path further in 16 dispatches of every pixel"));
+  CHECK(contains(stalled.err, "attempt 3 of 3"));
+  if (kernel != "megakernel") return;
+  CHECK(render.film("film.exr", "", {"--resume", film}) == whole);
+}
+
+TEST_CASE("a driver that leaves out the replay of a sample ends `explain`") {
+  const Render render;
+  const ProgramResult result = runCandela({"explain", render.folder.write("a.p3f", smallScene()), "--pixel", "3,4"},
+                                          withFaults("vkCmdDispatch:2+:DROP"));
+  INFO(result.err);
+  CHECK(result.exitCode == 5);
+  CHECK(contains(result.err, "does not trace the sample to its end"));
+}
+
 TEST_CASE("a render without a checkpoint leaves a film beside its output") {
   const Render render;
   const std::string whole = render.film("whole.exr");

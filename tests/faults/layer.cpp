@@ -3,9 +3,10 @@
 // CANDELA_FAULT lists faults, separated by commas: FUNCTION:N:RESULT fails the N-th call of a function (from 1) without
 // passing it on, and FUNCTION:N+:RESULT that call and all after it. RESULT is the name of a VkResult. After
 // VK_ERROR_DEVICE_LOST, submissions to that device fail, and waits for it end with that result. vkWaitForFences:N:HANG
-// sleeps until the timeout of the call, as if a kernel did not end.
-// CANDELA_FAULT_COUNTS names a file to which the number of calls of each function is written when an instance is
-// destroyed, and CANDELA_FAULT_LOG one to which each injected fault is appended.
+// sleeps until the timeout of the call, as if a kernel did not end. vkCmdDispatch:N:DROP leaves the dispatch out, as a
+// driver that loses invocations does; DROP_WIDE does so only if it has several workgroups, so that devices can be
+// opened. CANDELA_FAULT_COUNTS names a file to which the number of calls of each function is written when an instance
+// is destroyed, and CANDELA_FAULT_LOG one to which each injected fault is appended.
 //
 // CANDELA_FAULT_WAITS names a file to which a line is appended for each vkWaitForFences: the timeout in seconds, and
 // "new" if a pipeline was bound since the last wait that had not been bound before, else "known". All devices then
@@ -59,12 +60,16 @@ using namespace candela::layer;
   X(vkAllocateDescriptorSets)       \
   X(vkCreatePipelineLayout)         \
   X(vkCreateShaderModule)           \
-  X(vkCreateComputePipelines)
+  X(vkCreateComputePipelines)       \
+  X(vkCreateSwapchainKHR)           \
+  X(vkAcquireNextImageKHR)          \
+  X(vkQueuePresentKHR)
 
 enum Function : std::size_t {
 #define CANDELA_NAME(name) k_##name,
   CANDELA_INSTANCE_FUNCTIONS(CANDELA_NAME) CANDELA_DEVICE_FUNCTIONS(CANDELA_NAME) k_vkCreateInstance,
   k_vkCreateDevice,
+  k_vkCmdDispatch,
   kFunctionCount
 #undef CANDELA_NAME
 };
@@ -72,12 +77,16 @@ enum Function : std::size_t {
 #define CANDELA_NAME(name) #name,
 constexpr std::array<const char*, kFunctionCount> kNames{CANDELA_INSTANCE_FUNCTIONS(CANDELA_NAME)
                                                              CANDELA_DEVICE_FUNCTIONS(CANDELA_NAME) "vkCreateInstance",
-                                                         "vkCreateDevice"};
+                                                         "vkCreateDevice", "vkCmdDispatch"};
 #undef CANDELA_NAME
 
 constexpr VkResult kHang = static_cast<VkResult>(1);  // no result that a function returns here
-constexpr std::array<std::pair<const char*, VkResult>, 16> kResults{
+constexpr VkResult kDrop = static_cast<VkResult>(2);
+constexpr VkResult kDropWide = static_cast<VkResult>(3);
+constexpr std::array<std::pair<const char*, VkResult>, 19> kResults{
     {{"HANG", kHang},
+     {"DROP", kDrop},
+     {"DROP_WIDE", kDropWide},
      {"VK_ERROR_OUT_OF_HOST_MEMORY", VK_ERROR_OUT_OF_HOST_MEMORY},
      {"VK_ERROR_OUT_OF_DEVICE_MEMORY", VK_ERROR_OUT_OF_DEVICE_MEMORY},
      {"VK_ERROR_INITIALIZATION_FAILED", VK_ERROR_INITIALIZATION_FAILED},
@@ -92,7 +101,8 @@ constexpr std::array<std::pair<const char*, VkResult>, 16> kResults{
      {"VK_ERROR_UNKNOWN", VK_ERROR_UNKNOWN},
      {"VK_ERROR_OUT_OF_POOL_MEMORY", VK_ERROR_OUT_OF_POOL_MEMORY},
      {"VK_ERROR_FRAGMENTATION", VK_ERROR_FRAGMENTATION},
-     {"VK_TIMEOUT", VK_TIMEOUT}}};
+     {"VK_TIMEOUT", VK_TIMEOUT},
+     {"VK_ERROR_OUT_OF_DATE_KHR", VK_ERROR_OUT_OF_DATE_KHR}}};
 
 struct Fault {
   std::string function;
@@ -159,6 +169,7 @@ struct Next : NextFunctions {
   PFN_vkGetPhysicalDeviceProperties properties = nullptr;  ///< of an instance
   PFN_vkCmdBindPipeline bindPipeline = nullptr;            ///< of a device
   PFN_vkDestroyPipeline destroyPipeline = nullptr;         ///< of a device
+  PFN_vkCmdDispatch dispatch = nullptr;                    ///< of a device
   bool isLost = false;
 };
 NextTable<Next> nexts;
@@ -229,6 +240,12 @@ VKAPI_ATTR VkResult VKAPI_CALL waitForFences(VkDevice device, uint32_t count, co
   return VK_TIMEOUT;
 }
 
+VKAPI_ATTR void VKAPI_CALL cmdDispatch(VkCommandBuffer commands, uint32_t x, uint32_t y, uint32_t z) {
+  const std::optional<VkResult> fault = faultOf(k_vkCmdDispatch);
+  const bool isLeftOut = fault == kDrop || (fault == kDropWide && x * y * z > 1);
+  if (!isLeftOut) nexts.of(commands).dispatch(commands, x, y, z);
+}
+
 VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info, const VkAllocationCallbacks* allocator,
                                               VkInstance* instance) {
   if (const std::optional<VkResult> fault = faultOf(k_vkCreateInstance)) return *fault;
@@ -258,6 +275,7 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physicalDevice, con
 #undef CANDELA_GET
   next.bindPipeline = reinterpret_cast<PFN_vkCmdBindPipeline>(get(*device, "vkCmdBindPipeline"));
   next.destroyPipeline = reinterpret_cast<PFN_vkDestroyPipeline>(get(*device, "vkDestroyPipeline"));
+  next.dispatch = reinterpret_cast<PFN_vkCmdDispatch>(get(*device, "vkCmdDispatch"));
   nexts.set(*device, next);
   return result;
 }
@@ -278,6 +296,7 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, cons
 
 PFN_vkVoidFunction deviceHook(std::string_view name) {
   if (name == "vkWaitForFences") return erased(waitForFences);
+  if (name == "vkCmdDispatch") return erased(cmdDispatch);
   if (name == "vkDestroyDevice") return erased(destroyDevice);
   if (name == "vkCmdBindPipeline") return erased(bindPipeline);
   if (name == "vkDestroyPipeline") return erased(destroyPipeline);

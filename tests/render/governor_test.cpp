@@ -77,15 +77,14 @@ TEST_CASE("the first dispatch is one workgroup and one segment, and its duration
   CHECK(slowStart.next().pixels == quickStart.next().pixels);
 }
 
-TEST_CASE(
-    "on devices of any speed dispatches come within 30 % of the target in a few steps and never exceed the limit") {
+TEST_CASE("on devices of any speed dispatches come within 30 % of the target in 30 steps and never exceed the limit") {
   const double unitsPerSecond = GENERATE(1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10);
   CAPTURE(unitsPerSecond);
   Governor governor(optionsFor(4 * kMegapixel));
   FakeDevice device(unitsPerSecond);
   const std::vector<double> durations = driveFromStart(governor, device, 60);
   CHECK(countAbove(durations, 0.25) == 0);
-  for (std::size_t i = 14; i < durations.size(); ++i) CHECK(durations[i] == Approx(0.1).epsilon(0.3));
+  for (std::size_t i = 30; i < durations.size(); ++i) CHECK(durations[i] == Approx(0.1).epsilon(0.3));
 }
 
 TEST_CASE("a device that becomes five times slower exceeds the time limit at most once") {
@@ -102,12 +101,14 @@ TEST_CASE("a device that becomes five times slower exceeds the time limit at mos
   }
 }
 
-TEST_CASE("a device that becomes a hundred times faster is used fully again") {
+TEST_CASE("a device that becomes a hundred times faster is used fully again after some seconds of work") {
   Governor governor(optionsFor(kMegapixel));
   FakeDevice device(1e6);
   driveFromStart(governor, device, 40);
   device.slowDown(0.01);
-  CHECK(drive(governor, device, 30).back() == Approx(0.1).epsilon(0.3));
+  double total = 0;
+  while (total < 6) total += drive(governor, device, 1).front();
+  CHECK(drive(governor, device, 1).back() == Approx(0.1).epsilon(0.3));
 }
 
 TEST_CASE("durations that vary by a factor of two up and down stay within the limit at the 99th percentile") {
@@ -129,6 +130,35 @@ TEST_CASE("a sweep whose strips differ in cost by a factor of eight stays within
   const auto cost = [](int i) { return i % 20 < 15 ? 1.0 : 8.0; };  // sky, then glass
   const std::vector<double> durations = driveFromStart(governor, device, 1000, cost);
   CHECK(countAbove(durations, 0.25) <= 10);
+}
+
+TEST_CASE("while the governor probes, dispatches take 1/32 of the target") {
+  Governor governor(optionsFor(4 * kMegapixel));
+  FakeDevice device(1e7);
+  drive(governor, device, 1);
+  int probes = 0;
+  for (; governor.isProbing(); ++probes) CHECK(drive(governor, device, 1).front() <= 0.1 / 32 * 1.1);
+  CHECK(probes >= 8);
+  CHECK(probes < 32);
+}
+
+TEST_CASE("dispatches that stay short end the probing") {
+  Governor governor(optionsFor(6));
+  FakeDevice device(1e9);
+  drive(governor, device, 1);
+  drive(governor, device, 31);
+  CHECK(governor.isProbing());
+  drive(governor, device, 1);
+  CHECK_FALSE(governor.isProbing());
+}
+
+TEST_CASE("a cheap region does not decide how much work an expensive one gets, once it was dispatched") {
+  Governor governor(optionsFor(kMegapixel));
+  FakeDevice device(1e7);
+  const auto cost = [](int i) { return i % 20 < 15 ? 1.0 : 65.0; };
+  driveFromStart(governor, device, 40, cost);
+  const std::vector<double> durations = drive(governor, device, 400, cost);
+  CHECK(countAbove(durations, 0.25) == 0);
 }
 
 TEST_CASE("the region shrinks if one segment of the whole image takes seconds") {
@@ -170,7 +200,7 @@ TEST_CASE("work grows at most eightfold from one dispatch to the next, and twofo
   for (int i = 0; i < 30; ++i) {
     const Plan plan = governor.next();
     const double now = static_cast<double>(plan.pixels) * plan.segments;
-    CHECK(now <= units * (seconds > 0.1 / 8 ? 2.01 : 8.0));
+    CHECK(now <= units * (seconds > 0.1 / 8 ? 2.01 : 8.05));  // both are rounded to whole segments and workgroups
     units = now;
     seconds = device.run(plan);
     governor.record(plan, plan.pixels, seconds);

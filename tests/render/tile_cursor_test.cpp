@@ -110,3 +110,14 @@ TEST_CASE("iterating over an image of the maximum size does not overflow") {
   CHECK(isRect(first, 0, 0, 65535, 65535));
   CHECK(cursor.isAtStart());
 }
+
+TEST_CASE("a cursor moves to the start of the strip that contains a row") {
+  TileCursor cursor({100, 50}, {16, 8});
+  cursor.next(200);
+  cursor.moveTo(25);
+  CHECK(isRect(cursor.next(800), 0, 24, 100, 8));
+  cursor.moveTo(7);
+  CHECK(cursor.isAtStart());
+  cursor.moveTo(99);
+  CHECK(isRect(cursor.next(800), 0, 48, 100, 2));
+}

@@ -1,4 +1,5 @@
 """The window shows the same pixels as files."""
+import os
 import unittest
 
 import support
@@ -27,6 +28,24 @@ class Shown(support.WindowTest):
         viewer.wait_for_samples(2)
         viewer.wait_for_picture(self.render("--spp", 2, "--device", "cpu", "--max-depth", 3), "the reference's film")
         self.assertEqual(viewer.close()["deviceSamples"], 0)
+
+    def view_with_faults(self, faults):
+        """Shows a film while calls of Vulkan fail, and returns how often each function was called."""
+        counts = self.folder / "counts"
+        self.display.environment.update(VK_LAYER_PATH=os.environ["CANDELA_FAULT_LAYERS"], VK_INSTANCE_LAYERS="VK_LAYER_CANDELA_faults",
+                                        CANDELA_FAULT=faults, CANDELA_FAULT_COUNTS=str(counts))
+        viewer = self.view("--spp", 3)
+        viewer.wait_for_samples(3)
+        viewer.wait_for_picture(self.render("--spp", 3), "the film")
+        self.assertGreater(viewer.close()["frames"], 0)
+        return dict(line.split() for line in counts.read_text().splitlines())
+
+    def test_a_surface_that_changes_at_equal_size_gets_another_swapchain(self):
+        self.assertEqual(self.view_with_faults("vkAcquireNextImageKHR:2:VK_ERROR_OUT_OF_DATE_KHR")["vkCreateSwapchainKHR"], "2")
+
+    def test_frames_without_a_free_image_are_drawn_later(self):
+        faults = ",".join(f"vkAcquireNextImageKHR:{call}:VK_TIMEOUT" for call in range(2, 12))
+        self.assertEqual(self.view_with_faults(faults)["vkCreateSwapchainKHR"], "1")
 
 
 if __name__ == "__main__":
