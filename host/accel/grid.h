@@ -61,9 +61,9 @@ Grid buildGrid(std::span<const Aabb> bounds, const GridOptions& options = {});
 struct GridQuality {
   std::uint64_t cellCount = 0;
   std::uint64_t referenceCount = 0;
-  double occupiedShare = 0;    ///< fraction of the cells that contain primitives
-  double averageItems = 0;     ///< mean number of primitives in a cell that contains any
-  std::uint32_t maxItems = 0;  ///< maximum number of primitives in a cell
+  double occupiedFraction = 0;  ///< fraction of the cells that contain primitives
+  double averageItems = 0;      ///< mean number of primitives in a cell that contains any
+  std::uint32_t maxItems = 0;   ///< maximum number of primitives in a cell
 };
 /// Computes the quality of a valid grid.
 GridQuality quality(const Grid& grid);

@@ -134,7 +134,7 @@ GridQuality quality(const Grid& grid) {
     occupied += count > 0;
     result.maxItems = std::max(result.maxItems, count);
   }
-  result.occupiedShare = static_cast<double>(occupied) / static_cast<double>(result.cellCount);
+  result.occupiedFraction = static_cast<double>(occupied) / static_cast<double>(result.cellCount);
   result.averageItems = static_cast<double>(result.referenceCount) / static_cast<double>(occupied);
   return result;
 }

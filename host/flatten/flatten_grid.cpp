@@ -55,7 +55,7 @@ void noteQuality(const accel::Grid& grid, FlatScene& flat) {
                            {"cellsY", grid.shape.sides.y},
                            {"cellsZ", grid.shape.sides.z},
                            {"references", static_cast<double>(measured.referenceCount)},
-                           {"occupiedShare", measured.occupiedShare},
+                           {"occupiedFraction", measured.occupiedFraction},
                            {"averageItems", measured.averageItems},
                            {"maxItems", measured.maxItems}};
 }

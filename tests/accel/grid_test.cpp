@@ -141,7 +141,7 @@ TEST_CASE("the quality of a grid equals that computed by hand") {
   const GridQuality q = quality(grid);
   CHECK(q.cellCount == 4);
   CHECK(q.referenceCount == 6);
-  CHECK(q.occupiedShare == 0.75);
+  CHECK(q.occupiedFraction == 0.75);
   CHECK(q.averageItems == 2);
   CHECK(q.maxItems == 3);
 }

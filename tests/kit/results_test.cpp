@@ -136,12 +136,14 @@ TEST_CASE("results of earlier versions are read under their names") {
   json results = madeResults("A GPU", 12);
   results["schema"] = "candela-kit/1";
   for (json& report : results["rays"]) {
+    if (report.is_null()) continue;
     for (json& row : report["rows"]) {
       row["rays"] = row["rayKind"];
       row.erase("rayKind");
     }
   }
   for (json& report : results["verify"]) {
+    if (report.is_null()) continue;
     report["agree"] = report["agrees"];
     report.erase("agrees");
   }
