@@ -93,7 +93,7 @@ void writeBlackDwa(const fs::path& file, int side) {
   Imf::Header header(side, side);
   header.compression() = Imf::DWAB_COMPRESSION;
   Imf::RgbaOutputFile output(file.c_str(), header, Imf::WRITE_RGB);
-  const std::vector<Imf::Rgba> row(static_cast<std::size_t>(side));
+  const std::vector<Imf::Rgba> row(static_cast<std::size_t>(side), Imf::Rgba(0, 0, 0));  // Rgba() is not initialised
   output.setFrameBuffer(row.data(), 1, 0);
   output.writePixels(side);
 }

@@ -18,7 +18,7 @@ struct Choice {
 // The choice for a scene of this size that requests no structure, on a device without a loop limit.
 Choice choiceFor(std::size_t primitives, bool isPreference) {
   scene::Scene scene;
-  scene.primitives.resize(primitives);
+  scene.primitives.assign(primitives, scene::Primitive(scene::PrimitiveKind::sphere, 0, 0));
   render::StructureSettings structure;
   structure.accel = render::AccelKind::none;
   structure.accelIsPreference = isPreference;
