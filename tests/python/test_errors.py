@@ -163,7 +163,7 @@ class Errors(FolderTest):
         films = []
         for name in (strange, os.fsdecode(strange), pathlib.Path(os.fsdecode(strange))):
             scene = candela.load(name)
-            self.assertEqual((scene.name, scene.report["name"]), (r"\xff.p3f", "\ufffd.p3f"))
+            self.assertEqual((scene.name, scene.report["scene"]), (r"\xff.p3f", "\ufffd.p3f"))
             self.assertIn(r"candela.Scene \xff.p3f:", repr(scene))
             film = os.fsdecode(strange) + ".film"
             candela.render(scene, **SMALL, device="cpu", checkpoint=film).save(film + ".png", checkpoint=film + "2")
