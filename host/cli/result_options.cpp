@@ -79,7 +79,7 @@ std::vector<Option> verificationOptions() {
            orAbsent(share("FRACTION", 1e-7, 1), "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
     valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
-    valued({"--time-limit", kVerify, kGroup, "do not start another test of the images after this time"},
+    valued({"--time-limit", kVerify, kGroup, "end with fewer samples if the test would take longer than about this time"},
            orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.verification.timeLimit; }),
     valued({"--junit", kVerify | kConformance, kGroup, "write the results as JUnit XML; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.junit; }),

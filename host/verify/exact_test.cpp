@@ -9,6 +9,7 @@
 #include "host/statistics/error_rates.h"
 #include "host/verify/agreement.h"
 #include "host/verify/paired_sums.h"
+#include "host/verify/time_limit.h"
 
 namespace candela::verify {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using statistics::Estimate;
 
 // Looks of other tests have smaller indices, so that no seed is used twice.
-constexpr std::uint32_t kFirstExactLook = kMaxLooks;
+constexpr std::uint32_t kFirstExactLook = kMaxPairedLooks;
 
 double pValueAgainst(const Estimate& measured, double expected, double margin) {
   const Estimate exact{expected, 0, 1};
@@ -33,18 +34,19 @@ class DeviceMean {
 
   // Returns false if `control` stopped it. The plan depends only on the standard error, never on the difference.
   bool render(double bias, double level, const std::optional<double>& timeLimit, const render::RenderControl& control) {
+    TimeLimit limit(timeLimit);
     Stopwatch watch;
-    double elapsed = 0;
     std::uint64_t samples = 1;
     for (std::uint32_t look = 0; look < kMaxLooks; ++look) {
       const auto more = static_cast<std::uint32_t>(samples - batches_.samples());
       if (!batches_.render(more, kFirstExactLook + look, control)) return false;
-      elapsed += watch.lap();
       const Estimate mean = estimate();
       const double information = informationShare(std::sqrt(mean.squaredError), bias,
                                                   statistics::criticalT(level, mean.degreesOfFreedom));
-      if (information == 1 || (timeLimit && elapsed >= *timeLimit) || look + 1 == kMaxLooks) break;
-      samples = nextSamples(batches_.samples(), information, kMaxLooks - 1 - look);
+      if (information == 1 || look + 1 == kMaxLooks) break;
+      const std::uint64_t wanted = nextSamples(batches_.samples(), information, kMaxLooks - 1 - look);
+      samples = limit.affordable(watch.lap(), batches_.samples(), wanted);
+      if (samples == batches_.samples()) break;
     }
     return true;
   }

@@ -6,6 +6,7 @@
 
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
+#include "host/verify/time_limit.h"
 
 namespace candela::verify {
 namespace {
@@ -25,7 +26,8 @@ class LightTest {
         regions_(regionsOf(settings.image.size, options.watched)),
         testCount_(regions_.size() - (options.watched ? 1 : 0)),
         device_(Side::device, device, scene, settings, regions_),
-        reference_(Side::reference, reference, scene, settings, regions_) {
+        reference_(Side::reference, reference, scene, settings, regions_),
+        timeLimit_(options.timeLimit) {
     result_.bias = options.bias.value_or(kIndependentBias);
     if (!options.keepFilms) return;
     device_.keepFilm();
@@ -38,19 +40,16 @@ class LightTest {
       if (!renderTo(samples, look)) return interrupted();
       takeLook(look);
       if (result_.information == 1 || result_.differs()) break;
-      result_.outOfTime = isOutOfTime();
-      if (result_.outOfTime || look + 1 == kMaxLooks) break;
-      samples = std::min(nextSamples(samples, result_.information, kMaxLooks - 1 - look), kMaxSamples);
+      if (look + 1 == kMaxLooks) break;
+      const std::uint64_t wanted = nextSamples(samples, result_.information, kMaxLooks - 1 - look);
+      samples = timeLimit_.affordable(watch_.lap(), device_.samples(), std::min(wanted, kMaxSamples));
+      result_.outOfTime = samples == device_.samples();
+      if (result_.outOfTime) break;
     }
     return finished();
   }
 
  private:
-  bool isOutOfTime() {
-    elapsed_ += watch_.lap();
-    return options_.timeLimit && elapsed_ >= *options_.timeLimit;
-  }
-
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
     const auto more = static_cast<std::uint32_t>(samples - device_.samples());
     return device_.render(more, look, control_) && reference_.render(more, look, control_);
@@ -111,8 +110,8 @@ class LightTest {
   std::size_t testCount_;
   Batches device_;
   Batches reference_;
+  TimeLimit timeLimit_;
   Stopwatch watch_;
-  double elapsed_ = 0;
   double spent_ = 0;  ///< the part of alpha that has been spent
   LightTestResult result_;
 };

@@ -21,7 +21,11 @@
 
 namespace candela::verify {
 
+/// The planned number of looks, and the maximum of the independent test.
 inline constexpr std::uint32_t kMaxLooks = 8;
+/// The maximum of the paired test, whose p-values hold for any number of looks: the plan fails where flips are rarer
+/// than the first looks show.
+inline constexpr std::uint32_t kMaxPairedLooks = 16;
 
 /// paired: equal random numbers on both sides, docs/testing.md; independent: as described above.
 enum class LightTestMethod { paired, independent };
@@ -32,7 +36,7 @@ struct LightTestOptions {
   LightTestMethod method = LightTestMethod::paired;
   double alpha = 1e-4;                ///< probability of a false alarm of a whole run, in (0, 1)
   std::optional<double> bias{};       ///< fraction of the image mean that must be detected, > 0; absent: the method's
-  std::optional<double> timeLimit{};  ///< seconds after which no further look begins
+  std::optional<double> timeLimit{};  ///< seconds; looks that would probably end later have fewer samples
   std::optional<Region> watched{};    ///< a region that is not tested, but whose means are returned
   bool keepFilms = false;             ///< return the films, too
 };

@@ -11,6 +11,7 @@
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
 #include "host/verify/paired_sums.h"
+#include "host/verify/time_limit.h"
 
 namespace candela::verify {
 namespace {
@@ -35,23 +36,26 @@ class PairedTest {
         sums_(regions_, scale),
         level_(statistics::sidakLevel(options.alpha, testCount_)),
         batches_(batchesFor(settings.image.size)),
-        maxSamples_(options.bias ? kMaxPairedSamples : defaultSamples(settings.image.size)) {
+        samplesPerStep_(std::uint64_t{batches_} * minBatchSamples(settings.image.integrator)),
+        maxSamples_(options.bias ? kMaxPairedSamples : defaultSamples(settings.image.size)),
+        timeLimit_(options.timeLimit) {
     if (!options.keepFilms) return;
     result_.deviceFilm = render::emptyFilm(settings.image, settings.image.size);
     result_.referenceFilm = result_.deviceFilm;
   }
 
   LightTestResult run() {
-    std::uint64_t samples = batches_;
-    for (std::uint32_t look = 0; look < kMaxLooks; ++look) {
+    std::uint64_t samples = samplesPerStep_;
+    for (std::uint32_t look = 0; look < kMaxPairedLooks; ++look) {
       result_.interrupted = !renderTo(samples, look);
       if (result_.interrupted) break;
       takeLook(look);
       if (!options_.bias && samples_ >= maxSamples_) promiseWhatWasReached();
       if (result_.information == 1 || result_.differs()) break;
-      result_.outOfTime = isOutOfTime();
-      if (result_.outOfTime || look + 1 == kMaxLooks) break;
-      samples = std::min(nextSamples(samples_, result_.information, kMaxLooks - 1 - look), maxSamples_);
+      if (look + 1 == kMaxPairedLooks) break;
+      samples = timeLimit_.affordable(watch_.lap(), samples_, wantedSamples(look), samplesPerStep_);
+      result_.outOfTime = samples == samples_;
+      if (result_.outOfTime) break;
     }
     result_.samplesPerPixel = samples_;
     return std::move(result_);
@@ -68,17 +72,17 @@ class PairedTest {
     return std::clamp(kDefaultPaths / pixels, std::uint64_t{1}, kDefaultSamples);
   }
 
-  bool isOutOfTime() {
-    elapsed_ += watch_.lap();
-    return options_.timeLimit && elapsed_ >= *options_.timeLimit;
+  // The number of samples after the next look: `samples_` and a positive multiple of `samplesPerStep_`.
+  std::uint64_t wantedSamples(std::uint32_t look) const {
+    const std::uint32_t looksLeft = look + 1 < kMaxLooks ? kMaxLooks - 1 - look : 1;
+    const std::uint64_t wanted = std::min(nextSamples(samples_, result_.information, looksLeft), maxSamples_);
+    return samples_ + divideUp(std::max(wanted, samples_ + 1) - samples_, samplesPerStep_) * samplesPerStep_;
   }
 
   // Every look has separate samples, because some samplers depend on the number of samples of a pixel.
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
-    const std::uint64_t each = std::max<std::uint64_t>(divideUp<std::uint64_t>(samples - samples_, batches_),
-                                                       minBatchSamples(settings_.image.integrator));
     render::RenderSettings settings = settings_;
-    settings.image.sampleCount = static_cast<std::uint32_t>(each);
+    settings.image.sampleCount = static_cast<std::uint32_t>((samples - samples_) / batches_);
     settings.image.seed = batchSeed(settings_.image.seed, Side::device, 0, look);
     const std::unique_ptr<render::Session> device = device_.prepare(scene_, settings);
     settings.execution.replicas = 1;
@@ -91,7 +95,7 @@ class PairedTest {
       if (!device->advance(range, control_) || !reference->advance(range, control_)) return false;
       addBatch(*device, *reference, settings.image);
     }
-    samples_ += each * batches_;
+    samples_ = samples;
     return true;
   }
 
@@ -159,10 +163,11 @@ class PairedTest {
   PairedSums sums_;
   double level_;
   std::uint32_t batches_;
-  std::uint64_t maxSamples_;   ///< per pixel; every batch may add one
-  std::uint64_t samples_ = 0;  ///< per pixel, so far
+  std::uint64_t samplesPerStep_;  ///< per pixel: the smallest number in all batches
+  std::uint64_t maxSamples_;      ///< per pixel; every batch may add one
+  std::uint64_t samples_ = 0;     ///< per pixel, so far
+  TimeLimit timeLimit_;
   Stopwatch watch_;
-  double elapsed_ = 0;
   LightTestResult result_;
 };
 

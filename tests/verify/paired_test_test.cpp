@@ -66,6 +66,13 @@ TEST_CASE("a bias of the promised size is found in 99 of 100 runs, among flips")
   CHECK(pairedAlarmsOf(60, options, {.bias = 0.03}) >= 59);
 }
 
+TEST_CASE("looks go on until the bias would be detected, also if the first ones underestimate the noise") {
+  const LightTestResult result = runPaired({.flips = 1e-3, .jump = 3}, 11, {.bias = 3.3e-3}, {64, 64});
+  CHECK_FALSE(result.differs());
+  CHECK(result.looks > kMaxLooks);
+  CHECK(result.information == 1);
+}
+
 TEST_CASE("a paired bias of one tile of 0.02 % is found there") {
   const auto factor = [](std::uint32_t x, std::uint32_t y) { return x >= 8 && x < 16 && y < 8 ? 1.0002 : 1.0; };
   const LightTestResult result = runPaired({.factor = factor}, 3);
