@@ -11,11 +11,20 @@
 namespace candela::gltf {
 namespace {
 
-void requireFinite(const Value& accessor, const ElementType& type, std::span<const float> values) {
-  const auto bad = std::ranges::find_if_not(values, [](float value) { return std::isfinite(value); });
-  if (bad == values.end()) return;
-  const auto position = static_cast<std::size_t>(bad - values.begin());
-  accessor.fail(fmt::format("element {} is not finite", position / type.components));
+bool isFinite(float value) { return std::isfinite(value); }
+
+/// Returns the index of the first element that is not finite, if there is one.
+std::optional<std::size_t> findNonFinite(std::span<const float> values, std::size_t components) {
+  const auto bad = std::ranges::find_if_not(values, isFinite);
+  if (bad == values.end()) return std::nullopt;
+  return static_cast<std::size_t>(bad - values.begin()) / components;
+}
+
+void zeroNonFinite(std::span<float> values, std::size_t components) {
+  for (std::size_t i = 0; i < values.size(); i += components) {
+    const std::span<float> element = values.subspan(i, components);
+    if (!std::ranges::all_of(element, isFinite)) std::ranges::fill(element, 0.0f);
+  }
 }
 
 void requireWhole(const Value& reference, const ElementType& type) {
@@ -109,17 +118,23 @@ void Accessors::applySparse(const Value& accessor, const ElementType& type, std:
   }
 }
 
-void Accessors::readReals(const Elements& elements, std::span<float> result) {
+void Accessors::readReals(const Elements& elements, NonFinite nonFinite, std::span<float> result) {
   if (!elements.bytes.empty()) copyElements(elements.type, elements.bytes, elements.stride, result);
   applySparse(elements.place, elements.type, result);
-  requireFinite(elements.place, elements.type, result);
+  const std::optional<std::size_t> bad = findNonFinite(result, elements.type.components);
+  if (!bad) return;
+  const std::string message = fmt::format("element {} is not finite", *bad);
+  if (nonFinite == NonFinite::refused) elements.place.fail(message);
+  if (lenientLog_ == nullptr) elements.place.fail(message + "; --lenient reads it as 0");
+  lenientLog_->warn("finite", {}, fmt::format("{}: {}, and is read as 0", elements.place.pointer(), message));
+  zeroNonFinite(result, elements.type.components);
 }
 
-std::span<const float> Accessors::storedReals(const Value& reference, std::size_t components) {
-  return reals_.get({indexOf(reference), components}, [&] {
+std::span<const float> Accessors::storedReals(const Value& reference, std::size_t components, NonFinite nonFinite) {
+  return reals_.get({indexOf(reference), components, nonFinite == NonFinite::zero}, [&] {
     const Elements elements = elementsOf(reference, components);
     std::vector<float> values(elements.type.count * components);
-    readReals(elements, values);
+    readReals(elements, nonFinite, values);
     return values;
   });
 }
@@ -127,7 +142,7 @@ std::span<const float> Accessors::storedReals(const Value& reference, std::size_
 std::vector<std::uint32_t> Accessors::readWhole(const Value& reference, std::size_t components,
                                                 const Selection& selection) {
   if (!selection) return readAllWhole(reference, components);
-  const std::span<const std::uint32_t> all = wholes_.get({indexOf(reference), components},
+  const std::span<const std::uint32_t> all = wholes_.get({indexOf(reference), components, false},
                                                          [&] { return readAllWhole(reference, components); });
   std::vector<std::uint32_t> result(selection->size() * components);
   gather(all, components, *selection, std::span(result));

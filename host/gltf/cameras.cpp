@@ -135,10 +135,14 @@ scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::
   return view;
 }
 
-double coverageOf(const scene::Camera& camera, const Box& bounds) {
+ViewAxes axesOf(const scene::Camera& camera) {
   const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.at) - glm::dvec3(camera.from));
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
-  const glm::dvec3 up = glm::cross(right, forward);
+  return {right, glm::cross(right, forward), forward};
+}
+
+double coverageOf(const scene::Camera& camera, const Box& bounds) {
+  const auto& [right, up, forward] = axesOf(camera);
   const glm::dvec3 centre = (bounds.min + bounds.max) / 2.0 - glm::dvec3(camera.from);
   const double radius = glm::length(bounds.max - bounds.min) / 2;
   if (glm::length(centre) <= radius) return 1;

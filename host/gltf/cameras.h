@@ -24,6 +24,14 @@ struct View {
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
                 const std::optional<Box>& bounds);
 
+/// Unit vectors of the picture in the scene, at right angles to each other.
+struct ViewAxes {
+  glm::dvec3 right;
+  glm::dvec3 up;
+  glm::dvec3 forward;
+};
+ViewAxes axesOf(const scene::Camera& camera);
+
 /// Returns the maximum fraction of the picture that the sphere around `bounds` covers: 1 if the camera is in it, 0 if
 /// it is outside the view. Its size is taken at its centre.
 double coverageOf(const scene::Camera& camera, const Box& bounds);

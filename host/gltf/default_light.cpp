@@ -50,9 +50,7 @@ bool transmits(const scene::Scene& scene, const scene::Primitive& primitive) {
 }
 
 void addDefaultLight(scene::Scene& scene) {
-  const glm::dvec3 forward = glm::normalize(glm::dvec3(scene.camera->at) - glm::dvec3(scene.camera->from));
-  const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(scene.camera->up)));
-  const glm::dvec3 up = glm::cross(right, forward);
+  const auto& [right, up, forward] = axesOf(*scene.camera);
   scene.background = glm::vec3(kBackground);
   scene::PunctualLight light;
   light.kind = scene::PunctualLight::Kind::directional;

@@ -60,7 +60,7 @@ Influences readInfluences(const VertexSource& source, const Vertices& vertices) 
   return influences;
 }
 
-// Memory of the vertices and indices, before unused vertices are dropped, in bytes.
+// Memory of all vertices and indices, used or not, in bytes.
 std::uint64_t bytesOf(const VertexSource& source, bool isSkinned) {
   std::size_t perVertex = sizeof(glm::vec3);
   if (source.attribute("NORMAL")) perVertex += sizeof(glm::vec3);
@@ -74,13 +74,14 @@ std::uint64_t bytesOf(const VertexSource& source, bool isSkinned) {
   return vertices * perVertex + source.indexCount(vertices) * sizeof(std::uint32_t);
 }
 
-/// Without normals, tangents are ignored: section 3.7.2.1 of the specification.
+/// Without normals, tangents are ignored: section 3.7.2.1 of the specification. Of both, 0 is permitted: place() then
+/// takes the triangle's normal, and there is no normal map at the vertex.
 void readAttributes(const VertexSource& source, const Vertices& vertices, scene::Mesh& mesh) {
   const auto& [count, selection] = vertices;
   mesh.positions = source.read<glm::vec3>("POSITION", count, selection);
-  if (source.attribute("NORMAL")) mesh.normals = source.read<glm::vec3>("NORMAL", count, selection);
+  if (source.attribute("NORMAL")) mesh.normals = source.read<glm::vec3>("NORMAL", count, selection, NonFinite::zero);
   if (!mesh.normals.empty() && source.attribute("TANGENT")) {
-    mesh.tangents = source.read<glm::vec4>("TANGENT", count, selection);
+    mesh.tangents = source.read<glm::vec4>("TANGENT", count, selection, NonFinite::zero);
   }
   for (std::size_t set = 0; set < mesh.texCoords.size(); ++set) {
     const std::string name = fmt::format("TEXCOORD_{}", set);
@@ -126,7 +127,8 @@ std::vector<std::uint32_t> compactIndices(std::vector<std::uint32_t>& indices) {
   return used;
 }
 
-/// Selects the vertices of triangles, if there are more than twice as many vertices as corners.
+/// Selects the vertices of triangles, if there are more than twice as many vertices as corners. Draco decodes no data
+/// with more vertices than corners.
 Selection selectVertices(const VertexSource& source, std::size_t count, std::vector<std::uint32_t>& indices) {
   if (source.isCompressed() || count <= 2 * indices.size()) return std::nullopt;
   return compactIndices(indices);

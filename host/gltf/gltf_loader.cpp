@@ -54,7 +54,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   const Value root(container.json, "");
   const UsedExtensions used = checkAsset(root, options.lenient, log);
   Buffers buffers(root, container.binary, file, options);
-  Accessors accessors(root, buffers);
+  Accessors accessors(root, buffers, options.lenient ? &log : nullptr);
   if (options.time && root.sizeOf("animations") == 0) {
     log.warn("time", {}, "--time has no effect: the file has no animation");
   }

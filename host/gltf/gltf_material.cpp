@@ -51,6 +51,12 @@ double atLeastZero(const Value& object, const char* key, double absent) {
   return value;
 }
 
+glm::vec3 atLeastZero(const Value& object, const char* key, const glm::vec3& absent) {
+  const glm::vec3 value = object.vectorOr(key, absent);
+  if (glm::any(glm::lessThan(value, glm::vec3(0)))) object.require(key).fail("a component is negative");
+  return value;
+}
+
 AlphaMode alphaModeOf(const Value& material) {
   const std::string mode = material.textOr("alphaMode", "OPAQUE");
   if (mode == "OPAQUE") return AlphaMode::opaque;
@@ -75,10 +81,7 @@ void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, G
 
 /// Factors above 1, which exporters wrote before KHR_materials_emissive_strength existed, are used as they are.
 void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  result.emission = material.vectorOr("emissiveFactor", glm::vec3(0));
-  for (int c = 0; c < 3; ++c) {
-    if (result.emission[c] < 0) material.require("emissiveFactor").fail("a component is negative");
-  }
+  result.emission = atLeastZero(material, "emissiveFactor", glm::vec3(0));
   if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }
@@ -100,10 +103,7 @@ void readSpecular(const Value& material, const TextureReader& readTexture, GltfM
   const std::optional<Value> specular = material.extension("KHR_materials_specular");
   if (!specular) return;
   result.specular = fraction(*specular, "specularFactor", 1);
-  result.specularColour = specular->vectorOr("specularColorFactor", glm::vec3(1));
-  for (int c = 0; c < 3; ++c) {
-    if (result.specularColour[c] < 0) specular->require("specularColorFactor").fail("a component is negative");
-  }
+  result.specularColour = atLeastZero(*specular, "specularColorFactor", glm::vec3(1));
   result.specularTexture = textureIn(*specular, "specularTexture", readTexture);
   result.specularColourTexture = textureIn(*specular, "specularColorTexture", readTexture);
 }
@@ -176,10 +176,9 @@ void readConductor(const Value& material, GltfMaterial& result) {
   const std::optional<Value> extension = material.extension("CANDELA_materials_conductor");
   if (!extension) return;
   scene::Conductor conductor{.ior = extension->vectorOr("ior", glm::vec3(0)),
-                             .extinction = extension->vectorOr("extinction", glm::vec3(0))};
-  for (int c = 0; c < 3; ++c) {
-    if (conductor.ior[c] <= 0) extension->require("ior").fail("a component is not positive");
-    if (conductor.extinction[c] < 0) extension->require("extinction").fail("a component is negative");
+                             .extinction = atLeastZero(*extension, "extinction", glm::vec3(0))};
+  if (glm::any(glm::lessThanEqual(conductor.ior, glm::vec3(0)))) {
+    extension->require("ior").fail("a component is not positive");
   }
   result.conductor = conductor;
 }

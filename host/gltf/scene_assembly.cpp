@@ -149,26 +149,15 @@ std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
   return static_cast<std::uint32_t>(defaultMaterial_ - 1);
 }
 
-std::optional<Geometry> SceneAssembly::geometryOf(const Value& primitive, const std::vector<double>& morphWeights,
-                                                  bool isSkinned) {
-  const std::tuple key(primitive.pointer(), morphWeights, isSkinned);
-  if (const auto known = compacted_.find(key); known != compacted_.end()) return known->second;
-  std::optional<Geometry> geometry = readGeometry(primitive, {morphWeights, isSkinned, byteCount_}, accessors_,
-                                                  buffers_);
-  if (geometry && dropUnusedVertices(*geometry)) {
-    requireRoom(primitive, geometry->mesh, 1);
-    compacted_.emplace(key, *geometry);
-  }
-  return geometry;
-}
-
 void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
   if (topologyOf(primitive) == Topology::pointsOrLines) {
     log_.warn("points", {}, primitive.pointer() + ": points and lines are not rendered");
     return;
   }
   const std::optional<Value> skin = node.find("skin");
-  std::optional<Geometry> geometry = geometryOf(primitive, morphWeights(node, index, mesh), skin.has_value());
+  const std::vector<double> weights = morphWeights(node, index, mesh);
+  std::optional<Geometry> geometry = readGeometry(primitive, {weights, skin.has_value(), byteCount_}, accessors_,
+                                                  buffers_);
   if (!geometry) {
     log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
     return;

@@ -3,7 +3,6 @@
 #include <map>
 #include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -46,9 +45,6 @@ class SceneAssembly {
   void addObject(const Value& node, std::size_t index, std::size_t first);
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
-  /// Reads a primitive without its unused vertices. If many of its compressed vertices are unused, which take longer to
-  /// read than the result to copy, the result is stored for other nodes.
-  std::optional<Geometry> geometryOf(const Value& primitive, const std::vector<double>& morphWeights, bool isSkinned);
   void addLight(const Value& node, std::size_t index);
   /// Counts copies of a mesh before they are made, and throws PlaceError or OutOfMemoryError if there are too many.
   void requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies);
@@ -74,8 +70,6 @@ class SceneAssembly {
   bool hasOcclusion_ = false;
   std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
   std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
-  /// By the place of the primitive, the weights of its morph targets, and whether it has influences.
-  std::map<std::tuple<std::string, std::vector<double>, bool>, Geometry> compacted_{};
   std::size_t triangleCount_ = 0;
   std::uint64_t byteCount_ = 0;
 };

@@ -1,5 +1,6 @@
 // Decoded values of accessors that several primitives share.
 #pragma once
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -12,12 +13,16 @@ namespace candela::gltf {
 /// The vertices that a primitive uses, in ascending order, each once. Absent: all.
 using Selection = std::optional<std::vector<std::uint32_t>>;
 
-/// Values of accessors, by index of the accessor and number of components. The number of values is limited: above
-/// `maxCount`, all are dropped before another accessor is stored.
+/// Values of accessors. Their number is limited: above `maxCount`, all are dropped before another accessor is stored.
 template <class Number>
 class StoredValues {
  public:
-  using Key = std::pair<std::size_t, std::size_t>;
+  struct Key {
+    std::size_t accessor;
+    std::size_t components;
+    bool isRepaired;  ///< elements that are not finite are 0
+    auto operator<=>(const Key&) const = default;
+  };
 
   explicit StoredValues(std::size_t maxCount) : maxCount_(maxCount) {}
 

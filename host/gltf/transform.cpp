@@ -5,13 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 namespace candela::gltf {
 namespace {
-
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 /// The cofactors of M: det(M) times its inverse transposed, which exists for singular matrices too.
 glm::dmat3 cofactors(const glm::dmat3& m) {
@@ -91,17 +88,6 @@ void replaceZeroNormals(scene::Mesh& mesh) {
   }
 }
 
-template <class Value>
-void compact(std::vector<Value>& values, const std::vector<std::uint32_t>& newIndex) {
-  if (values.empty()) return;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (newIndex[i] != kUnused) values[count++] = values[i];  // new indices grow with the old ones
-  }
-  values.resize(count);
-  values.shrink_to_fit();
-}
-
 }  // namespace
 
 void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& place) {
@@ -123,26 +109,6 @@ void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const 
     if (mirrors[mesh.indices[corner]]) reverse(mesh, corner);
   }
   if (!mesh.normals.empty()) replaceZeroNormals(mesh);
-}
-
-bool dropUnusedVertices(Geometry& geometry) {
-  scene::Mesh& mesh = geometry.mesh;
-  if (mesh.positions.size() <= 2 * mesh.indices.size()) return false;
-  std::vector<std::uint32_t> newIndex(mesh.positions.size(), kUnused);
-  for (const std::uint32_t index : mesh.indices) newIndex[index] = 0;
-  std::uint32_t count = 0;
-  for (std::uint32_t& index : newIndex) {
-    if (index != kUnused) index = count++;
-  }
-  compact(mesh.positions, newIndex);
-  compact(mesh.normals, newIndex);
-  compact(mesh.tangents, newIndex);
-  compact(mesh.colours, newIndex);
-  for (auto& set : mesh.texCoords) compact(set, newIndex);
-  for (auto& set : geometry.influences.joints) compact(set, newIndex);
-  for (auto& set : geometry.influences.weights) compact(set, newIndex);
-  for (std::uint32_t& index : mesh.indices) index = newIndex[index];
-  return true;
 }
 
 }  // namespace candela::gltf

@@ -16,8 +16,4 @@ void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& place);
 /// the specification. Weights that do not sum to 1 are scaled.
 void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& place);
 
-/// Removes the vertices that no triangle uses, if there are more than twice as many vertices as corners. Returns
-/// whether there were so many, which is possible for compressed vertices only.
-bool dropUnusedVertices(Geometry& geometry);
-
 }  // namespace candela::gltf

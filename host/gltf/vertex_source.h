@@ -26,12 +26,12 @@ class VertexSource {
   std::size_t indexCount(std::size_t vertexCount) const;
   /// The values of an attribute that exists, of the selected vertices. The attribute must have `count` of them in all.
   template <class Vector>
-  std::vector<Vector> read(const std::string& name, std::size_t count, const Selection& selection) const;
+  std::vector<Vector> read(const std::string& name, std::size_t count, const Selection& selection,
+                           NonFinite nonFinite = NonFinite::refused) const;
   /// The four unsigned integers of each selected vertex in an attribute that exists.
   std::vector<glm::uvec4> readWhole(const std::string& name, std::size_t count, const Selection& selection) const;
   /// Indices of vertices, each below `vertexCount`; 0, 1, 2 ... if the primitive has none.
   std::vector<std::uint32_t> readIndices(std::size_t vertexCount) const;
-  bool hasIndices() const { return draco_ || primitive_.find("indices"); }
   /// Returns whether vertices are compressed, so that all of them must be read.
   bool isCompressed() const { return draco_.has_value(); }
 
@@ -48,7 +48,8 @@ class VertexSource {
 void requireCount(const Value& reference, std::size_t count, std::size_t expected);
 
 template <class Vector>
-std::vector<Vector> VertexSource::read(const std::string& name, std::size_t count, const Selection& selection) const {
+std::vector<Vector> VertexSource::read(const std::string& name, std::size_t count, const Selection& selection,
+                                       NonFinite nonFinite) const {
   const Value reference = attributes_.require(name);
   constexpr std::size_t kComponents = sizeof(Vector) / sizeof(float);
   if (const DracoMesh::Attribute* source = compressed(name, kComponents)) {
@@ -57,7 +58,7 @@ std::vector<Vector> VertexSource::read(const std::string& name, std::size_t coun
     return values;
   }
   requireCount(reference, accessors_.type(reference).count, count);
-  return accessors_.read<Vector>(reference, selection);
+  return accessors_.read<Vector>(reference, selection, nonFinite);
 }
 
 }  // namespace candela::gltf

@@ -132,6 +132,25 @@ TEST_CASE("a normal without length is replaced by that of a triangle") {
   checkVector(scene.meshes[0].normals[1], {0, 1, 0});
 }
 
+TEST_CASE("lenient reading takes normals and tangents that are not finite for 0") {
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  attributes["NORMAL"] = file.vectors({0, nan, 1, 0, 1, 0, 0, 1, 0}, "VEC3", 3);
+  attributes["TANGENT"] = file.vectors({1, 0, 0, 1, 1, 0, 0, 1, 1, -infinity, 0, 1}, "VEC4", 4);
+  const std::string message = "/accessors/" + attributes["NORMAL"].dump() + ": element 0 is not finite";
+  CHECK_THAT(errorsOf(file.text()), Catch::Contains(message + "; --lenient reads it as 0"));
+  const scene::LoadedScene loaded = load(file, {.lenient = true});
+  CHECK(warns(loaded, message));
+  const scene::Mesh& mesh = loaded.scene.meshes.at(0);
+  checkVector(mesh.normals.at(0), {0, 0, 1});
+  checkVector(mesh.normals[1], {0, 1, 0});
+  CHECK(glm::vec3(mesh.tangents.at(2)) == glm::vec3(0));
+  CHECK(mesh.tangents[0] == glm::vec4(1, 0, 0, 1));
+  attributes["POSITION"] = attributes["NORMAL"];
+  CHECK_THAT(errorsOf(file.text(), {.lenient = true}), Catch::EndsWith("element 0 is not finite"));
+}
+
 TEST_CASE("unused vertices are removed if there are many") {
   GltfFile file;
   std::vector<float> xyz(300);
