@@ -9,6 +9,7 @@ says whether every edit still has its place. Exit code: 0 enough faults were fou
 few, 1 usage, 2 the unchanged program does not pass.
 """
 import argparse
+import filecmp
 import glob
 import json
 import os
@@ -81,13 +82,18 @@ class Workshop:
         self.environment = lavapipe_environment(folder) | {"CANDELA_VALIDATION": "1"}
 
     def prepare(self):
-        shutil.rmtree(self.source, ignore_errors=True)
+        """Copies the tracked files that differ. Others keep their times, so that Ninja rebuilds what a fault changed."""
         tracked = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-        for name in tracked.split("\0"):
-            if name and (ROOT / name).is_file():
-                target = self.source / name
+        names = {name for name in tracked.split("\0") if name and (ROOT / name).is_file()}
+        for path in [path for path in self.source.rglob("*") if path.is_file()]:
+            if str(path.relative_to(self.source)) not in names:
+                path.unlink()
+        for name in names:
+            target = self.source / name
+            if not target.exists() or not filecmp.cmp(ROOT / name, target, shallow=False):
                 target.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy2(ROOT / name, target)
+                shutil.copyfile(ROOT / name, target)
+                shutil.copymode(ROOT / name, target)
         subprocess.run(["cmake", "-S", self.source, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"],
                        check=True, stdout=subprocess.DEVNULL)
 

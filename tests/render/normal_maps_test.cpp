@@ -244,6 +244,25 @@ TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, o
   });
 }
 
+TEST_CASE("facets and the mirrors between them are seen in proportion to their projected areas") {
+  // The normal is tilted by 30 degrees to the right, and the eye is 45 degrees to the left. Facets reflect it to the
+  // horizon on the right; those that are seen in a mirror reflect it to a light near the zenith.
+  SceneBuilder b;
+  b.scene.images = {oneTexel(191, 128, 238)};
+  const vec3 eye(-1, 0, 1);
+  b.material(mapped({.metalness = 1, .roughness = 0})).view(5.0f * eye, {0, 0, 0}, {0, 1, 0}, 1);
+  addMesh(b.scene, flatSquare(1), 0);
+  b.material(test::diffuseMaterial(vec3(0), vec3(1)));
+  b.quad({-1, 3, 6}, {-1, -3, 6}, {5, -3, 6}, {5, 3, 6});
+  const glm::dvec3 normal = glm::normalize(glm::dvec3(191, 128, 238) / 127.5 - 1.0);
+  const double facet = glm::dot(normal, glm::dvec3(eye));
+  const double mirror = -glm::dot(glm::dvec3(normal.x, normal.y, 0), glm::dvec3(eye));
+  onBothTracers([&](const RenderFunction& render) {
+    const double mean = meanLuminance(render(b.scene, squareSettings(16, 1024)).film);
+    CHECK(mean == Approx(mirror / (facet + mirror)).epsilon(0.01));
+  });
+}
+
 TEST_CASE("specular lobes mirror what is below the surface") {
   // The metal's normal is tilted by 45 degrees to the right, so that an eye above it sees the horizon there. An eye 20
   // degrees to the left sees 20 degrees below the horizon, whose mirror image is the light.
