@@ -35,7 +35,6 @@ std::string wordOf(Status status) {
   return status == Status::improvement ? "UnexpectedImprovement" : textOf(Verdict{status});
 }
 
-// The text of a failure is an attribute, whose line breaks parsers replace by spaces, and content, where they stay.
 std::string xmlOf(const CaseResult& one) {
   const std::string head = fmt::format("  <testcase classname=\"candela.conformance\" name=\"{}\" time=\"{:.3f}\"",
                                        xmlEscaped(one.name), one.seconds);
@@ -43,9 +42,7 @@ std::string xmlOf(const CaseResult& one) {
     return fmt::format("{}>\n    <skipped message=\"{}\"/>\n  </testcase>\n", head, xmlEscaped(one.text));
   }
   if (one.verdict.isExpected()) return head + "/>\n";
-  const std::string text = xmlEscaped(one.text);
-  return fmt::format("{}>\n    <failure type=\"{}\" message=\"{}\">{}</failure>\n  </testcase>\n", head,
-                     xmlEscaped(textOf(one.verdict)), text, text);
+  return fmt::format("{}>\n    {}\n  </testcase>\n", head, junitFailure(textOf(one.verdict), one.text));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Characters with a special meaning in HTML and XML.
+// Text in HTML and XML.
 #pragma once
 #include <string>
 #include <string_view>
@@ -51,6 +51,13 @@ std::string escaped(std::string_view text, std::string_view replacement, Predica
 inline std::string xmlEscaped(std::string_view text) {
   return escaped(text, " ",
                  [](char32_t code) { return (code < ' ' && code != '\n') || code == 0xfffe || code == 0xffff; });
+}
+
+/// Returns the element for a failed test case of a JUnit report. The text is an attribute, whose line breaks parsers
+/// replace by spaces, and content, where they stay.
+inline std::string junitFailure(std::string_view type, std::string_view text) {
+  const std::string escapedText = xmlEscaped(text);
+  return "<failure type=\"" + xmlEscaped(type) + "\" message=\"" + escapedText + "\">" + escapedText + "</failure>";
 }
 
 }  // namespace candela

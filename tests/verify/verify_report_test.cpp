@@ -55,8 +55,8 @@ TEST_CASE("JUnit has a case for each question, including failures, and is well-f
   CHECK_THAT(toJunit(reportOf(1), false), Contains("tests=\"2\" failures=\"0\"") && Contains("a&lt;b&gt;.p3f"));
   const std::string failed = toJunit(reportOf(0.98, scene::ExactMean{}), false);
   CHECK_THAT(failed, Contains("\">Device and reference do NOT") && Contains("</failure>"));
-  CHECK_THAT(failed,
-             Contains("tests=\"3\" failures=\"2\"") && Contains("<failure message=\"Device and reference do NOT"));
+  CHECK_THAT(failed, Contains("tests=\"3\" failures=\"2\"") &&
+                         Contains("<failure type=\"Fail\" message=\"Device and reference do NOT"));
 }
 
 TEST_CASE("a run that is interrupted in its first question reports its device and its time") {
@@ -85,7 +85,7 @@ TEST_CASE("JUnit reports bad samples as a failure only if they are forbidden") {
   image.size = {16, 16};
   report.badSamples.device.add(film, image);
   CHECK_THAT(toJunit(report, true),
-             Contains("tests=\"3\" failures=\"1\"") && Contains("<failure message=\"1 bad samples\""));
+             Contains("tests=\"3\" failures=\"1\"") && Contains("<failure type=\"Fail\" message=\"1 bad samples\""));
   CHECK_THAT(toJunit(report, false), Contains("tests=\"2\" failures=\"0\""));
   CHECK(report.agree());
 }
