@@ -41,8 +41,7 @@ void requirePossible(const Arguments& arguments, const scene::Scene& scene, cons
 void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
 
 /// Returns the reference for kReferenceDevice, else a Vulkan device, on which `auto` means the result of `candela tune`
-/// unless
-/// --untuned is given. Throws NoDeviceError.
+/// unless --untuned is given. Throws NoDeviceError.
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log);
 
 /// Reports progress on stderr; SIGINT and SIGTERM stop the render.

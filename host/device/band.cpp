@@ -12,6 +12,7 @@
 
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
+#include "host/core/hash.h"
 #include "host/device/device_memory.h"
 #include "host/device/tile_cursor.h"
 #include "host/device/unfinished_rows.h"
@@ -223,13 +224,13 @@ std::uint64_t Band::takeFinishedSamples() {
 }
 
 std::uint64_t Band::stateHash() const {
-  std::uint64_t hash = 0;
+  std::uint64_t hash = fnv1a({});
   const std::uint64_t size = kernel_.stateBytes * pixels();
   std::vector<std::byte> chunk(std::min(size, kChunkBytes));
   for (std::uint64_t at = 0; at < size; at += chunk.size()) {
     const std::span part = std::span(chunk).first(std::min<std::uint64_t>(chunk.size(), size - at));
     states_.download(part, at);
-    hash = hash * 31 + std::hash<std::string_view>()({reinterpret_cast<const char*>(part.data()), part.size()});
+    hash = fnv1aOfText({reinterpret_cast<const char*>(part.data()), part.size()}, hash);
   }
   return hash;
 }

@@ -1,3 +1,4 @@
+// Converts names of files and other text between Python and C++.
 #include "host/python/file_names.h"
 
 #include <fmt/format.h>

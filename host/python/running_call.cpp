@@ -1,3 +1,4 @@
+// Keeps the interpreter alive until the calls that run without the GIL have stopped.
 #include "host/python/running_call.h"
 
 #include <chrono>
@@ -21,7 +22,7 @@ Calls& calls() {
   return calls;
 }
 
-// Ctrl-C ends the wait.
+// Asks all calls to stop, and waits until they have ended. Ctrl-C ends the wait.
 void stopAndWait() {
   constexpr std::chrono::milliseconds kPeriod{5};
   calls().exiting = PyThread_get_thread_ident();

@@ -5,7 +5,7 @@
 
 namespace candela::vulkan {
 
-/// What a run may have to do in addition to its work.
+/// States whether a driver may compile a pipeline during a run.
 enum class FirstRun {
   none,       ///< all pipelines of the run have run before
   ofPipeline  ///< some drivers compile a pipeline now
@@ -18,9 +18,9 @@ class HangLimit {
   /// `timeout` in seconds as in DeviceOptions::hangTimeout.
   explicit HangLimit(std::optional<double> timeout = 0, bool isSoftware = false);
 
-  /// The limit of the next run in seconds; infinite if there is none.
+  /// Returns the limit of the next run in seconds; infinite if there is none.
   double seconds(FirstRun first) const;
-  /// The same for vkWaitForFences.
+  /// Returns the same limit in the unit of vkWaitForFences.
   std::uint64_t nanoseconds(FirstRun first) const;
   /// Records the duration of a run that ended. Those that may have compiled do not count.
   void record(FirstRun first, double seconds);

@@ -48,7 +48,7 @@ COMMANDS = {
 }
 # Files whose content differs from run to run; they must be complete.
 VARYING = {"a.json", "film.exr.json", "merged.exr.json", "page.html"}
-# What is left over if it cannot be removed.
+# The files that stay behind if they cannot be removed.
 REMOVED_LAST = {"unlink": {"film.exr.candela-lock", "merged.exr.candela-lock"}}
 STEPS = 3
 
