@@ -64,20 +64,20 @@ bool TileJob::renderTile(std::uint32_t left, std::uint32_t top, Counters& counte
   const std::uint32_t bottom = std::min(top + tile_.height, output_.film.height());
   for (std::uint32_t y = top; y < bottom; ++y) {
     for (std::uint32_t x = left; x < right; ++x) {
-      if (isStopped()) {
+      if (!renderPixel(x, y, counters)) {
         interrupted_ = true;
         return false;
       }
-      renderPixel(x, y, counters);
     }
   }
   return true;
 }
 
-void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
+bool TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) {
   const std::size_t pixel = std::size_t{y} * output_.film.width() + x;
-  if (!render::isSelected(output_.mask, pixel)) return;
+  if (!render::isSelected(output_.mask, pixel)) return true;
   for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
+    if (isStopped()) return false;
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
     const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};
     const std::uint64_t verticesBefore = counters.vertices;
@@ -89,6 +89,7 @@ void TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
     if (output_.matteIds != nullptr) addIds(x, y, layers);
     if (output_.countsHits && counters.vertices > verticesBefore) output_.film.addHit(x, y);
   }
+  return true;
 }
 
 void TileJob::addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample& sample) {

@@ -40,8 +40,9 @@ class TileJob {
  private:
   bool isStopped() const { return control_.stop && control_.stop->load(std::memory_order_relaxed); }
   bool renderNextTile(Counters& shared);
+  /// Both return false if the job was stopped before their last sample.
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters);
-  void renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
+  bool renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
   dvec3 traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters, SampleOutputs outputs);
   void addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample& sample);
   void reportProgress();

@@ -1,7 +1,9 @@
 // Whole renders by the reference: equality of bytes, statistics, records, interruption.
 #include <atomic>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <set>
+#include <thread>
 #include <vector>
 
 #include "tests/reference/scene_builder.h"
@@ -214,6 +216,19 @@ TEST_CASE("a stopped render reports it and returns the samples rendered so far")
   stop = false;
   control.progress = {};
   CHECK_FALSE(reference::makeReferenceRenderer()->render(cornellBox().scene, settings, control).interrupted);
+}
+
+TEST_CASE("a render stops within a pixel, however many samples it has") {
+  std::atomic<bool> stop = false;
+  const render::RenderSettings settings = settingsOf(1, 1, 2'000'000'000);  // minutes
+  const std::jthread stopper([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    stop = true;
+  });
+  const auto result = reference::makeReferenceRenderer()->render(cornellBox().scene, settings, {&stop, {}});
+  CHECK(result.interrupted);
+  CHECK(result.film.at(0, 0).sampleCount == result.statistics.samples);
+  CHECK(result.statistics.samples < settings.image.sampleCount);
 }
 
 TEST_CASE("an exception of a progress callback ends the render") {
