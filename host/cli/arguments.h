@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/conformance/picture_test.h"
 #include "host/core/log.h"
 #include "host/core/tcp_client.h"
 #include "host/image/image.h"
@@ -51,6 +52,7 @@ struct ConformanceArguments {
   bool variants = false;                 ///< the cases are kernels against variants of them
   bool list = false;                     ///< print the names of the cases, and run none
   std::string cases = "*";               ///< pattern of their names
+  conformance::PictureTest pictures;     ///< how cases that render pictures are tested
   std::optional<std::uint32_t> jobs;     ///< child processes at a time; empty: one per core
   std::optional<std::uint32_t> shuffle;  ///< seed of the order; empty: the order of the list
   double timeout = 60;                   ///< for each case, in seconds

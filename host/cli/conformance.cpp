@@ -35,7 +35,7 @@ using conformance::Cases;
 }
 
 Cases chosenCases(const ConformanceArguments& arguments) {
-  const Cases all = arguments.variants ? conformance::variantCases() : conformance::allCases();
+  const Cases all = arguments.variants ? conformance::variantCases() : conformance::allCases(arguments.pictures);
   Cases chosen = conformance::casesNamed(all, arguments.cases);
   if (chosen.empty()) refuseNames(arguments);
   return chosen;

@@ -1,4 +1,6 @@
 // Options of `candela conformance`.
+#include <limits>
+
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 
@@ -18,6 +20,10 @@ std::vector<Option> conformanceOptions() {
            text("GLOB", "a pattern"), [](auto& a) -> auto& { return a.conformance.cases; }),
     flag({"--variants", kConformance, kGroup, "instead of the other cases, compare shaders with variants of them that must compute the same results"}, [](auto& a) -> auto& { return a.conformance.variants; }),
     flag({"--list", kConformance, kGroup, "print the names of the cases, and run none"}, [](auto& a) -> auto& { return a.conformance.list; }),
+    valued({"--seed", kConformance, kGroup, "seed of the random numbers of the cases that render pictures"},
+           wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.conformance.pictures.seed; }),
+    valued({"--alpha", kConformance, kGroup, "false-alarm probability of each case that renders a picture"},
+           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.conformance.pictures.alpha; }),
     valued({"--jobs", kConformance, kGroup, "maximum number of child processes at a time; `auto`: one per core"},
            orAbsent(wholeNumber(1, kMaxJobs), "auto"), [](auto& a) -> auto& { return a.conformance.jobs; }),
     valued({"--shuffle", kConformance, kGroup, "run the cases in the order that a seed determines"},

@@ -7,10 +7,10 @@
 
 namespace candela::conformance {
 
-Cases allCases() {
+Cases allCases(const PictureTest& test) {
   Cases all;
-  for (Cases part :
-       {pictureCases(), integerCases(), floatCases(), functionCases(), controlCases(), memoryCases(), groupCases()}) {
+  for (Cases part : {pictureCases(test), integerCases(), floatCases(), functionCases(), controlCases(), memoryCases(),
+                     groupCases()}) {
     std::ranges::move(part, std::back_inserter(all));
   }
   return all;

@@ -1,6 +1,7 @@
 // The tables from which the cases are made.
 #pragma once
 #include "host/conformance/case.h"
+#include "host/conformance/picture_test.h"
 
 namespace candela::conformance {
 
@@ -18,10 +19,10 @@ Cases memoryCases();
 /// Subgroups and workgroups.
 Cases groupCases();
 /// Whole pictures by each kernel, compared with the reference.
-Cases pictureCases();
+Cases pictureCases(const PictureTest& test);
 
 /// Returns all of the above.
-Cases allCases();
+Cases allCases(const PictureTest& test = {});
 
 /// Kernels, compared with variants of them that must compute the same: `candela conformance --variants`.
 Cases variantCases();

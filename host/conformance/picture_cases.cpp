@@ -57,7 +57,8 @@ constexpr std::array<Named<Extent>, 5> kWorkgroups{
     {{"1x1", {1, 1}}, {"3x5", {3, 5}}, {"32x1", {32, 1}}, {"1x64", {1, 64}}, {"16x16", {16, 16}}}};
 
 Picture basicPicture(const std::string& scene = "cornell") {
-  Picture picture{scene, {}, 0};
+  Picture picture;
+  picture.scene = scene;
   picture.settings.image.size = {kSide, kSide};
   picture.settings.image.sampleCount = kSamples;
   picture.settings.execution.threads = 1;
@@ -68,7 +69,11 @@ Picture basicPicture(const std::string& scene = "cornell") {
 
 class Table {
  public:
-  void add(const std::string& path, const std::string& group, const Picture& picture) {
+  explicit Table(const PictureTest& test) : test_(test) {}
+
+  void add(const std::string& path, const std::string& group, Picture picture) {
+    picture.settings.image.seed = test_.seed;
+    picture.alpha = test_.alpha;
     cases_.push_back({fmt::format("kernel.{}.{}", path, picture.scene), "kernel." + group,
                       [picture](Workbench& bench) { return comparePicture(picture, bench); },
                       [picture](const vulkan::DeviceInfo& device) { return capturePicture(picture, device); }});
@@ -76,6 +81,7 @@ class Table {
   Cases take() { return std::move(cases_); }
 
  private:
+  PictureTest test_;
   Cases cases_;
 };
 
@@ -157,8 +163,8 @@ void addSubgroups(Table& table) {
 
 }  // namespace
 
-Cases pictureCases() {
-  Table table;
+Cases pictureCases(const PictureTest& test) {
+  Table table(test);
   addSequences(table);
   addStructures(table);
   addScenes(table);

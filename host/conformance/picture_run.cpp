@@ -32,7 +32,7 @@ std::string differenceOf(const verify::AgreementReport& report) {
 Finding compareOn(render::Renderer& device, const Picture& picture, render::Renderer& reference) {
   const scene::Scene& scene = sceneNamed(picture.scene);
   const verify::AgreementReport report = verify::compareTracers(scene, picture.settings, device, reference,
-                                                                kPictureAlpha, {});
+                                                                picture.alpha, {});
   if (report.deviceStatistics.truncated > 0) {
     return failed(fmt::format("the device stopped {} loops of the kernel", report.deviceStatistics.truncated));
   }
@@ -68,7 +68,7 @@ capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo
   const scene::Scene& scene = sceneNamed(picture.scene);
   const std::unique_ptr<render::Renderer> renderer = rendererFor(picture, workbench);
   verify::PathRenders ignored;
-  const auto pixels = verify::comparePaths(scene, picture.settings, *renderer, workbench.reference(), kPictureAlpha, {},
+  const auto pixels = verify::comparePaths(scene, picture.settings, *renderer, workbench.reference(), picture.alpha, {},
                                            ignored);
   capture::SceneRequest request;
   request.settings = picture.settings;

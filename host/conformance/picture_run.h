@@ -7,9 +7,6 @@
 
 namespace candela::conformance {
 
-/// Probability that a picture of a correct device fails.
-inline constexpr double kPictureAlpha = 1e-5;
-
 /// Time limit for removing parts of a captured scene.
 inline constexpr double kPictureShrinkSeconds = 20;
 
@@ -17,6 +14,7 @@ struct Picture {
   std::string scene = "cornell";  ///< see scenes.h
   render::RenderSettings settings;
   std::uint32_t subgroupSize = 0;  ///< that pipelines require; 0: as the driver chooses
+  double alpha = 0;                ///< PictureTest::alpha
 };
 
 /// Renders the picture on both sides and computes the verdict of host/verify: decidable samples are equal, and the

@@ -47,6 +47,8 @@ TEST_CASE("conformance refuses what it cannot do, and says what to do instead") 
        std::vector<Refusal>{{{"--cases", "nothing.*"}, 1, "--cases nothing.*: no case has such a name"},
                             {{"--device", "cpu"}, 1, "choose a Vulkan device"},
                             {{"--jobs", "0"}, 1, "--jobs"},
+                            {{"--alpha", "0"}, 1, "--alpha"},
+                            {{"--seed", "4294967296"}, 1, "--seed"},
                             {{"--timeout", "soon"}, 1, "--timeout"},
                             {{"scene.p3f"}, 1, "scene.p3f"},
                             {{"--baseline", "/nonexistent/fails.txt"}, 2, "/nonexistent/fails.txt"},
