@@ -106,6 +106,8 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--cases", "GLOB", "*"},
       {"--variants", "", ""},
       {"--list", "", ""},
+      {"--seed", "N", "0", Command::conformance},
+      {"--alpha", "A", "1e-05", Command::conformance},
       {"--jobs", "N", "auto"},
       {"--shuffle", "N", "off"},
       {"--timeout", "TIME", "60s"},
