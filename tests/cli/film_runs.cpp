@@ -64,7 +64,6 @@ void requireSurvivesKill(const FilmRuns& runs, const TemporaryFolder& folder, co
   Surroundings surroundings;
   surroundings.interruptAfter = time;
   surroundings.signal = SIGKILL;
-  surroundings.writeRequestsFrom = milliseconds(60);  // the program handles them by then
   surroundings.writeRequestsEvery = milliseconds(15);
   runs.run(scene, {"--checkpoint", film}, surroundings);
   INFO("killed after " << time.count() << " ms");

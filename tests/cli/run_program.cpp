@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -46,6 +47,15 @@ pid_t spawn(const std::string& program, const std::vector<std::string>& words, c
   return child;
 }
 
+/// Returns whether the program has a handler of the signal (proc(5)). Until then, most signals would end it.
+bool handlesSignal(pid_t program, int signal) {
+  std::istringstream status(readText("/proc/" + std::to_string(program) + "/status"));
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("SigCgt:")) return std::stoull(line.substr(7), nullptr, 16) >> (signal - 1) & 1;
+  }
+  return false;
+}
+
 int waitFor(pid_t child, const Surroundings& surroundings) {
   const Clock::time_point start = Clock::now();
   bool interrupted = !surroundings.interruptAfter;
@@ -57,7 +67,7 @@ int waitFor(pid_t child, const Surroundings& surroundings) {
       kill(child, surroundings.signal);
       interrupted = true;
     }
-    if (surroundings.writeRequestsEvery && elapsed >= nextRequest) {
+    if (surroundings.writeRequestsEvery && elapsed >= nextRequest && handlesSignal(child, SIGUSR1)) {
       kill(child, SIGUSR1);
       nextRequest = elapsed + *surroundings.writeRequestsEvery;
     }

@@ -23,7 +23,7 @@ struct Surroundings {
   /// After this time, `signal` (Ctrl-C) is sent.
   std::optional<std::chrono::milliseconds> interruptAfter{};
   int signal = SIGINT;
-  /// SIGUSR1 is sent after each of these times, from `writeRequestsFrom` on.
+  /// SIGUSR1 is sent after each of these times, from `writeRequestsFrom` on, as soon as the program handles it.
   std::optional<std::chrono::milliseconds> writeRequestsEvery{};
   std::chrono::milliseconds writeRequestsFrom{0};
 };
