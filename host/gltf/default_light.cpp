@@ -22,14 +22,19 @@ double areaOf(const scene::Triangle& triangle) {
   return glm::length(glm::cross(glm::dvec3(triangle.p[1]) - a, glm::dvec3(triangle.p[2]) - a)) / 2;
 }
 
-/// The brightest channel times area, over all triangles that emit. Emission that a texture shapes, as of headlights and
-/// displays, does not count.
+/// Emission that a texture shapes, as of headlights and displays, does not count. Nor do unlit materials, whose
+/// emission stands for their colour.
+bool countsAsLight(const scene::Material& material) {
+  return isEmissive(material) && !material.coloursScaleEmission && !textureOf(material, scene::TextureSlot::emission);
+}
+
+/// The brightest channel times opacity and area, over all triangles that count as light.
 double emissionOf(const scene::Scene& scene) {
   double sum = 0;
   for (const scene::Primitive& primitive : scene.primitives) {
     const scene::Material& material = scene.materials[primitive.material];
-    if (!isEmissive(material) || textureOf(material, scene::TextureSlot::emission)) continue;
-    const glm::vec3 emission = material.emission;
+    if (!countsAsLight(material)) continue;
+    const glm::vec3 emission = material.emission * (material.opacity ? material.opacity->factor : 1);
     sum += std::max({emission.x, emission.y, emission.z}) * areaOf(triangleOf(scene, primitive));
   }
   return sum;

@@ -11,10 +11,13 @@
 
 namespace candela::gltf {
 
-/// A decoded primitive. Integers of attributes are as they are stored, unless Draco's own flag normalises them.
+/// A decoded primitive.
 struct DracoMesh {
   struct Attribute {
     std::size_t components = 0;
+    /// Whether the values are integers. They are as they are stored: the glTF accessor says whether they are
+    /// normalised, not the flag in Draco's data, which encoders set or leave as they like.
+    bool isIntegral = false;
     std::vector<float> values;  ///< all components of each vertex
   };
   std::size_t vertexCount = 0;

@@ -41,14 +41,19 @@ Component componentOf(const Value& code);
 /// The type of an accessor. Its count is 1 to 2^32 - 1. Throws PlaceError.
 ElementType elementTypeOf(const Value& accessor);
 
+/// Returns the value of a normalised integer of type Raw, which is given as a float: -1 to 1 or 0 to 1.
+template <class Raw, class Out>
+Out normalise(Out value) {
+  return std::max(value / static_cast<Out>(std::numeric_limits<Raw>::max()), Out{-1});
+}
+
 /// Returns the value of a component: section 3.6.2.2 of the specification.
 template <class Out, class Raw>
 Out convertComponent(Raw raw, bool normalised) {
   if constexpr (std::is_same_v<Out, Raw>) return raw;
   const auto value = static_cast<Out>(raw);
   if constexpr (std::is_floating_point_v<Out> && std::is_integral_v<Raw>) {
-    constexpr auto kMax = static_cast<Out>(std::numeric_limits<Raw>::max());
-    return normalised ? std::max(value / kMax, Out{-1}) : value;
+    return normalised ? normalise<Raw>(value) : value;
   }
   return value;
 }
@@ -70,6 +75,14 @@ void withComponent(Component component, const Use& use) {
     case Component::real:
       return use(float{});
   }
+}
+
+/// Normalises numbers that were stored as integers of the type, if it is normalised.
+inline void normalise(const ElementType& type, std::span<float> numbers) {
+  if (!type.normalised) return;
+  withComponent(type.component, [&]<class Raw>(Raw) {
+    for (float& number : numbers) number = normalise<Raw>(number);
+  });
 }
 
 /// Converts all components of elements that begin `stride` bytes apart. `bytes` contains them all.

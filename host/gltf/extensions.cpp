@@ -14,6 +14,7 @@
 namespace candela::gltf {
 namespace {
 
+/// With metadata, which changes no picture.
 constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "EXT_mesh_gpu_instancing",
                                "EXT_texture_webp",
@@ -31,7 +32,9 @@ constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "KHR_materials_volume",
                                "KHR_mesh_quantization",
                                "KHR_node_visibility",
-                               "KHR_texture_transform"};
+                               "KHR_texture_transform",
+                               "KHR_xmp",
+                               "KHR_xmp_json_ld"};
 constexpr std::array kPartly{"KHR_materials_unlit", "KHR_materials_variants"};
 
 bool isMeshopt(std::string_view extension) {

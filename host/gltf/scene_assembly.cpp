@@ -49,6 +49,18 @@ Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector&
   return values.empty() ? absent : values[i];
 }
 
+/// The number that all attributes of EXT_mesh_gpu_instancing have, those of applications ("_ID") included.
+std::size_t instanceCount(const Value& attributes, Accessors& accessors) {
+  if (!attributes.json().is_object()) attributes.fail("expected an object");
+  std::optional<std::size_t> count;
+  for (const auto& [name, reference] : attributes.json().items()) {
+    const std::size_t own = accessors.count(attributes.require(name));
+    if (count && own != *count) attributes.fail(fmt::format("attributes of {} and {} instances", *count, own));
+    count = own;
+  }
+  return count.value_or(0);
+}
+
 }  // namespace
 
 SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
@@ -226,10 +238,7 @@ std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
   if (const auto reference = attributes.find("TRANSLATION")) translations = accessors_.read<glm::vec3>(*reference);
   if (const auto reference = attributes.find("ROTATION")) rotations = accessors_.read<glm::vec4>(*reference);
   if (const auto reference = attributes.find("SCALE")) scales = accessors_.read<glm::vec3>(*reference);
-  const std::size_t count = std::max({translations.size(), rotations.size(), scales.size()});
-  for (const std::size_t size : {translations.size(), rotations.size(), scales.size()}) {
-    if (size > 0 && size != count) attributes.fail(fmt::format("attributes of {} and {} instances", size, count));
-  }
+  const std::size_t count = instanceCount(attributes, accessors_);
   requireMemory(fmt::format("{}: with these instances, the scene", attributes.pointer()),
                 byteCount_ + count * sizeof(glm::dmat4), "use a machine with more memory");
   std::vector<glm::dmat4> instances;
@@ -254,6 +263,10 @@ void SceneAssembly::addLight(const Value& node, std::size_t index) {
 }
 
 void SceneAssembly::reportOmissions() {
+  const std::optional<Value> used = root_.find("extensionsUsed");
+  for (std::size_t i = 0; used && i < used->size(); ++i) {  // checkAsset() has warned of these
+    if (supportOf((*used)[i].text()) == Support::none) unread_.erase((*used)[i].text());
+  }
   if (unread_.empty()) return;
   log_.warn("unread", {}, fmt::format("not rendered yet: {}", fmt::join(unread_, ", ")));
 }

@@ -1,13 +1,20 @@
 // Decodes URIs.
 #include "host/gltf/uri.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 
 namespace candela::gltf {
 namespace {
 
-constexpr std::string_view kBase64Marker = ";base64,";
+constexpr std::string_view kDataScheme = "data:";
+constexpr std::string_view kBase64Marker = ";base64";
+
+/// Of ASCII letters.
+bool equalsIgnoringCase(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
 
 std::optional<std::uint32_t> base64Digit(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<std::uint32_t>(c - 'A');
@@ -31,15 +38,7 @@ bool hasScheme(std::string_view uri) {
   return end != std::string_view::npos && uri[end] == ':';
 }
 
-}  // namespace
-
-bool isDataUri(std::string_view uri) { return uri.starts_with("data:"); }
-
-std::string decodeDataUri(const Value& uri) {
-  const std::string& text = uri.text();
-  const std::size_t marker = text.find(kBase64Marker);
-  if (marker == std::string::npos) uri.fail("the data URI is not in base64");
-  std::string_view digits = std::string_view(text).substr(marker + kBase64Marker.size());
+std::string decodeBase64(const Value& uri, std::string_view digits) {
   while (digits.ends_with('=')) digits.remove_suffix(1);
   if (digits.size() % 4 == 1) uri.fail("the data URI ends within a byte");
   std::string bytes;
@@ -58,23 +57,42 @@ std::string decodeDataUri(const Value& uri) {
   return bytes;
 }
 
-std::filesystem::path decodePath(const Value& uri) {
-  const std::string& text = uri.text();
-  if (text.empty()) uri.fail("the URI is empty");
-  if (hasScheme(text))
-    uri.fail("only relative paths and data URIs are read; download the file and refer to it by path");
-  std::string path;
+std::string decodePercent(const Value& uri, std::string_view text) {
+  std::string bytes;
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '%') {
-      path += text[i];
+      bytes += text[i];
       continue;
     }
     const std::optional<int> high = i + 2 < text.size() ? hexDigit(text[i + 1]) : std::nullopt;
     const std::optional<int> low = i + 2 < text.size() ? hexDigit(text[i + 2]) : std::nullopt;
     if (!high || !low) uri.fail("\"%\" without two hexadecimal digits");
-    path += static_cast<char>(*high * 16 + *low);
+    bytes += static_cast<char>(*high * 16 + *low);
     i += 2;
   }
+  return bytes;
+}
+
+}  // namespace
+
+bool isDataUri(std::string_view uri) { return equalsIgnoringCase(uri.substr(0, kDataScheme.size()), kDataScheme); }
+
+std::string decodeDataUri(const Value& uri) {
+  const std::string_view text = uri.text();
+  const std::size_t comma = text.find(',');
+  if (comma == std::string_view::npos) uri.fail("the data URI has no comma");
+  const std::string_view type = text.substr(0, comma), data = text.substr(comma + 1);
+  const bool isBase64 = equalsIgnoringCase(type.substr(type.size() - std::min(type.size(), kBase64Marker.size())),
+                                           kBase64Marker);
+  return isBase64 ? decodeBase64(uri, data) : decodePercent(uri, data);
+}
+
+std::filesystem::path decodePath(const Value& uri) {
+  const std::string& text = uri.text();
+  if (text.empty()) uri.fail("the URI is empty");
+  if (hasScheme(text))
+    uri.fail("only relative paths and data URIs are read; download the file and refer to it by path");
+  const std::string path = decodePercent(uri, text);
   if (path.find('\0') != std::string::npos) uri.fail("the path contains a zero byte");
   return path;
 }

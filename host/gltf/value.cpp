@@ -9,6 +9,9 @@
 namespace candela::gltf {
 namespace {
 
+// The smallest number that single precision rounds to infinity. FLT_MAX is often written as 3.4028235e+38, which
+// exceeds it.
+constexpr double kRoundsToInfinity = 0x1.ffffffp127;
 constexpr double kMaxWhole = 9007199254740992.0;  // 2^53: up to here JSON's numbers are exact
 
 /// Writes a key as in RFC 6901, without control characters, and not longer than a line.
@@ -62,7 +65,7 @@ Value Value::operator[](std::size_t index) const {
 double Value::number() const {
   if (!json_->is_number()) fail("expected a number");
   const double value = json_->get<double>();
-  if (!(std::abs(value) <= double{std::numeric_limits<float>::max()})) fail("the number is too large");
+  if (!(std::abs(value) < kRoundsToInfinity)) fail("the number is too large");
   return value;
 }
 

@@ -1,6 +1,8 @@
 // The source of the vertices of a primitive: accessors, or data compressed by Draco.
 #pragma once
+#include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -54,7 +56,9 @@ std::vector<Vector> VertexSource::read(const std::string& name, std::size_t coun
   constexpr std::size_t kComponents = sizeof(Vector) / sizeof(float);
   if (const DracoMesh::Attribute* source = compressed(name, kComponents)) {
     std::vector<Vector> values(draco_->vertexCount);
-    std::copy(source->values.begin(), source->values.end(), reinterpret_cast<float*>(values.data()));
+    const std::span numbers(reinterpret_cast<float*>(values.data()), values.size() * kComponents);
+    std::ranges::copy(source->values, numbers.begin());
+    if (source->isIntegral) normalise(accessors_.type(reference), numbers);
     return values;
   }
   requireCount(reference, accessors_.type(reference).count, count);

@@ -22,6 +22,13 @@ Diagnostic DiagnosticLog::make(Position position, std::string message) const {
 }
 
 void DiagnosticLog::error(Position position, std::string message) {
+  const auto equals = [&](const Diagnostic& listed) {
+    return listed.line == position.line && listed.column == position.column && listed.message == message;
+  };
+  if (std::ranges::any_of(errors_, equals)) {
+    ++repeatedCount_;
+    return;
+  }
   if (++errorCount_ <= kShown) errors_.push_back(make(position, std::move(message)));
 }
 

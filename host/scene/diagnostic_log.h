@@ -17,6 +17,7 @@ class DiagnosticLog {
 
   explicit DiagnosticLog(std::string file) : file_(std::move(file)) {}
 
+  /// Stores the error, unless it equals one that is listed.
   void error(Position position, std::string message);
   /// Stores the first warning of each kind and counts the others.
   void warn(const std::string& kind, Position position, std::string message);
@@ -26,7 +27,7 @@ class DiagnosticLog {
   bool listsWarning(const std::string& kind) const { return warnings_.size() < kShown && !warnings_.contains(kind); }
 
   std::size_t errorCount() const { return errorCount_; }
-  bool isFull() const { return errorCount_ >= kCounted; }
+  bool isFull() const { return errorCount_ + repeatedCount_ >= kCounted; }
 
   /// Throws SceneError with the errors in the order of the file, if there are any.
   void throwIfErrors() const;
@@ -42,7 +43,8 @@ class DiagnosticLog {
 
   std::string file_;
   std::vector<Diagnostic> errors_;
-  std::size_t errorCount_ = 0;
+  std::size_t errorCount_ = 0;     ///< without repeated ones
+  std::size_t repeatedCount_ = 0;  ///< of errors that equal one in `errors_`
   std::map<std::string, Warning> warnings_;
   std::size_t unlistedWarnings_ = 0;
 };

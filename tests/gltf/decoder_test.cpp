@@ -13,17 +13,34 @@ namespace {
 
 const std::vector<float> kCorners{0, 0, 0, 1, 0, 0, 0, 1, 0};
 
+std::vector<char> encoded(const draco::Mesh& mesh) {
+  draco::Encoder encoder;
+  encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
+  draco::EncoderBuffer buffer;
+  REQUIRE(encoder.EncodeMeshToBuffer(mesh, &buffer).ok());
+  return {buffer.data(), buffer.data() + buffer.size()};
+}
+
 std::vector<char> dracoTriangle() {
   draco::TriangleSoupMeshBuilder builder;
   builder.Start(1);
   const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
   builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), &kCorners[0], &kCorners[3], &kCorners[6]);
+  return encoded(*builder.Finalize());
+}
+
+/// The triangle with colours of unsigned bytes, alpha 255, with or without Draco's own flag of normalised integers.
+std::vector<char> colouredDracoTriangle(bool flag) {
+  const std::vector<std::uint8_t> colours{51, 0, 255, 255, 102, 0, 255, 255, 153, 0, 255, 255};
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+  const int colour = builder.AddAttribute(draco::GeometryAttribute::COLOR, 4, draco::DT_UINT8);
+  builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), &kCorners[0], &kCorners[3], &kCorners[6]);
+  builder.SetAttributeValuesForFace(colour, draco::FaceIndex(0), &colours[0], &colours[4], &colours[8]);
   const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
-  draco::Encoder encoder;
-  encoder.SetEncodingMethod(draco::MESH_SEQUENTIAL_ENCODING);
-  draco::EncoderBuffer buffer;
-  REQUIRE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
-  return {buffer.data(), buffer.data() + buffer.size()};
+  mesh->attribute(colour)->set_normalized(flag);
+  return encoded(*mesh);
 }
 
 GltfFile dracoFile(const std::vector<char>& compressed) {
@@ -62,6 +79,45 @@ TEST_CASE("a primitive compressed by Draco has its triangles") {
   REQUIRE(scene.primitives.size() == 1);
   const scene::Triangle triangle = triangleOf(scene, scene.primitives[0]);
   CHECK(glm::cross(triangle.p[1] - triangle.p[0], triangle.p[2] - triangle.p[0]) == glm::vec3(0, 0, 1));
+}
+
+TEST_CASE("the accessor says whether integers in Draco data are normalised, whatever the flag in the data says") {
+  if (!canDecodeDraco()) return;
+  for (const bool flag : {false, true}) {
+    CAPTURE(flag);
+    GltfFile file = dracoFile(colouredDracoTriangle(flag));
+    json& primitive = file.primitive();
+    primitive["attributes"]["COLOR_0"] = 1;
+    primitive["extensions"]["KHR_draco_mesh_compression"]["attributes"]["COLOR_0"] = 1;
+    file.root["accessors"].push_back(
+        {{"componentType", kUnsignedByte}, {"count", 3}, {"type", "VEC4"}, {"normalized", true}});
+    std::vector<glm::vec4> colours = sceneOf(file).meshes.at(0).colours;
+    std::ranges::sort(colours, {}, [](const glm::vec4& colour) { return colour.x; });
+    REQUIRE(colours.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+      CHECK(colours[i] == glm::vec4(static_cast<float>(51 * (i + 1)) / 255, 0, 1, 1));
+    }
+  }
+}
+
+TEST_CASE("positions in Draco data are normalised as the accessor says") {
+  if (!canDecodeDraco()) return;
+  draco::TriangleSoupMeshBuilder builder;
+  builder.Start(1);
+  const std::vector<std::int16_t> corners{0, 0, 0, 32767, 0, 0, 0, -32768, 0};
+  const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_INT16);
+  builder.SetAttributeValuesForFace(position, draco::FaceIndex(0), &corners[0], &corners[3], &corners[6]);
+  GltfFile file = dracoFile(encoded(*builder.Finalize()));
+  file.root["accessors"][0]["componentType"] = kShort;
+  const auto extent = [&] {
+    const std::vector<glm::vec3> positions = sceneOf(file).meshes.at(0).positions;
+    glm::vec3 sum(0);
+    for (const glm::vec3& p : positions) sum += p;
+    return sum;
+  };
+  CHECK(extent() == glm::vec3(32767, -32768, 0));
+  file.root["accessors"][0]["normalized"] = true;
+  CHECK(extent() == glm::vec3(1, -1, 0));
 }
 
 TEST_CASE("damaged Draco data is an error with its place") {

@@ -27,6 +27,17 @@ TEST_CASE("an unknown required extension is an error with its name, an unknown o
         "--lenient reads the file without it");
 }
 
+TEST_CASE("an extension is named by one warning, and metadata by none") {
+  GltfFile file = triangleFile();
+  file.root["extensionsUsed"] = {"ACME_cloth", "KHR_xmp_json_ld"};
+  file.root["materials"] = {{{"extensions", {{"ACME_cloth", json::object()}}}}};
+  file.primitive()["material"] = 0;
+  const scene::LoadedScene loaded = load(file);
+  CHECK(warns(loaded, "extensions that are not supported are ignored: ACME_cloth"));
+  CHECK_FALSE(warns(loaded, "not rendered yet"));
+  CHECK_FALSE(warns(loaded, "KHR_xmp"));
+}
+
 TEST_CASE("lenient reading ignores required extensions, except those that compress the geometry") {
   GltfFile file = triangleFile();
   file.root["extensionsRequired"] = {"ACME_cloth"};

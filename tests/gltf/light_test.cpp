@@ -111,6 +111,19 @@ TEST_CASE("a warning says that the light of punctual lights and of the default l
   CHECK_FALSE(warned(glass));
 }
 
+TEST_CASE("emission of unlit and of invisible surfaces is not the light of a file") {
+  GltfFile file = triangleFile();
+  file.root["materials"] = {{{"emissiveFactor", {0, 1, 0}}}};
+  file.primitive()["material"] = 0;
+  json& material = file.root["materials"][0];
+  SECTION("unlit") { material = {{"extensions", {{"KHR_materials_unlit", json::object()}}}}; }
+  SECTION("with an alpha of 0") {
+    material["alphaMode"] = "BLEND";
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0};
+  }
+  CHECK(load(file).facts.at(1).second.starts_with("none in the file: a background of 0.25"));
+}
+
 TEST_CASE("emission that is too faint or too small to see the model by does not replace the default light") {
   GltfFile file = triangleFile();
   file.root["materials"] = {{{"emissiveFactor", {0, 1, 0}}}};

@@ -142,6 +142,7 @@ const std::vector<Malformed> kMalformed{
     {set("/nodes/0/matrix", {1, 0, 0, 5, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}), "/nodes/0/matrix: the last row is not"},
     {set("/nodes/0/translation", {1, 2}), "/nodes/0/translation: expected an array of 3 numbers"},
     {set("/nodes/0/translation", {1e39, 0, 0}), "/nodes/0/translation/0: the number is too large"},
+    {set("/nodes/0/translation", {3.4028236e+38, 0, 0}), "/nodes/0/translation/0: the number is too large"},
     {set("/nodes/0/rotation", {0, 0, 0, "w"}), "/nodes/0/rotation/3: expected a number"},
     {[](GltfFile& file) {
        file.root["nodes"][0]["scale"] = {3e38, 1, 1};

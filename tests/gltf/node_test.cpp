@@ -129,6 +129,16 @@ TEST_CASE("each instance has its own translation, rotation and scale") {
   CHECK(glm::distance(scene.meshes[1].positions[1], glm::vec3(10, 1, 2)) < 1e-6f);
 }
 
+TEST_CASE("instances that have attributes of an application only are at the node") {
+  GltfFile file = triangleFile();
+  const std::size_t ids = file.accessor(std::vector<std::uint16_t>{7, 8}, kUnsignedShort, "SCALAR", 2);
+  json& attributes = file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"];
+  attributes["_ID"] = ids;
+  CHECK(sceneOf(file).primitives.size() == 2);
+  attributes["TRANSLATION"] = file.positions({1, 0, 0});
+  CHECK(errorsOf(file.text()).find("/attributes: attributes of 1 and 2 instances") != std::string::npos);
+}
+
 TEST_CASE("instances beyond the limit of triangles are refused before they are made") {
   constexpr std::size_t kInstances = 1u << 15;
   GltfFile file = triangleFile();

@@ -20,7 +20,16 @@ TEST_CASE("base64 is decoded with and without padding") {
   CHECK(decoded("data:x;base64,/+8A") == std::string("\xff\xef\0", 3));
   CHECK_THROWS_WITH(decoded("data:;base64,Zm9!"), Catch::Contains("not base64"));
   CHECK_THROWS_WITH(decoded("data:;base64,Zm9vY"), Catch::Contains("within a byte"));
-  CHECK_THROWS_WITH(decoded("data:text/plain,abc"), Catch::Contains("not in base64"));
+  CHECK(decoded("DATA:;Base64,Zm9v") == "foo");
+  CHECK(isDataUri("DATA:,"));
+  CHECK_FALSE(isDataUri("data.bin"));
+  CHECK_THROWS_WITH(decoded("data:text/plain;base64"), Catch::Contains("no comma"));
+}
+
+TEST_CASE("a data URI that is not in base64 has its bytes as characters or escaped") {
+  CHECK(decoded("data:application/octet-stream,%00a%fF;base64,") == std::string("\0a\xff;base64,", 11));
+  CHECK(decoded("data:,").empty());
+  CHECK_THROWS_WITH(decoded("data:,a%2"), Catch::Contains("without two hexadecimal digits"));
 }
 
 TEST_CASE("buffers are read from files in the scene's folder, whose names may be escaped") {
