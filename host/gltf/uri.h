@@ -11,7 +11,8 @@ namespace candela::gltf {
 /// Returns whether the URI contains its data: "data:...".
 bool isDataUri(std::string_view uri);
 
-/// The bytes of a data URI in base64 (RFC 2397, RFC 4648). Throws PlaceError at the place of `uri`.
+/// Returns the bytes of a data URI (RFC 2397): decoded from base64 (RFC 4648), or characters with %XX decoded. Throws
+/// PlaceError at the place of `uri` if there is no comma, or the data cannot be decoded.
 std::string decodeDataUri(const Value& uri);
 
 /// Returns the relative path of a URI, with %XX decoded. Throws PlaceError if it has a scheme ("http:"), an

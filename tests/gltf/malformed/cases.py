@@ -229,7 +229,8 @@ def of_images():
                           ("text", b"no image"), ("jpeg-lies", jpeg), ("jpeg-cut", jpeg[:6]), ("webp-lies", webp),
                           ("gif", b"GIF89a\x01\0\x01\0\0\0\0;")):
         yield Case(f"image-{name}", with_image(content), "/images/1")
-    for name, uri in (("not-base64", "data:image/png,abc"), ("bad-digit", "data:image/png;base64,a*bc"),
+    yield Case("image-characters", changed("/images/1/uri", "data:image/png,abc").text(), "/images/1")
+    for name, uri in (("no-comma", "data:image/png;base64"), ("escape", "data:image/png,%89%5"), ("bad-digit", "data:image/png;base64,a*bc"),
                       ("half-byte", "data:image/png;base64,a"), ("download", "https://example.org/a.png"),
                       ("outside", "../../../../../../../../etc/passwd"), ("nothing", "nothing.png"), ("none", ""),
                       ("percent", "a%zz.png"), ("zero-byte", "a%00.png"), ("drive", "c:/a.png")):
