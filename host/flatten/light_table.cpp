@@ -14,6 +14,8 @@ namespace candela::flatten {
 namespace {
 
 constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the random numbers
+constexpr std::size_t kUnhitGroup = 1;          // lights without extent, which no ray hits
+constexpr double kMinPart = 0.2;                // lowest weight of such a light, relative to their mean
 
 // Returns nothing for primitives that light sampling does not choose.
 std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Primitive& primitive) {
@@ -39,12 +41,27 @@ double punctualPower(const scene::PunctualLight& light) {
 
 std::size_t groupOf(LightKind kind) {
   if (kind == LightKind::environment) return 2;
-  return kind < LightKind::point ? 0 : 1;
+  return kind < LightKind::point ? 0 : kUnhitGroup;
 }
 
 // The environment's weight is 1 if any texel can be chosen.
 double environmentPower(const scene::Environment& environment) {
   return std::ranges::any_of(environment.weights, [](std::uint64_t weight) { return weight > 0; }) ? 1 : 0;
+}
+
+// Raises low weights of the lights that no ray hits, so that none is lost beside a much brighter one. Returns the sum.
+double raiseUnhit(const std::vector<LightEntry>& table, std::vector<double>& weights, double sum) {
+  std::vector<double*> unhit;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (groupOf(table[i].kind) == kUnhitGroup && weights[i] > 0) unhit.push_back(&weights[i]);
+  }
+  const double minimum = kMinPart * sum / static_cast<double>(unhit.size());
+  double raised = 0;
+  for (double* weight : unhit) {
+    *weight = std::max(*weight, minimum);
+    raised += *weight;
+  }
+  return raised;
 }
 
 void setThresholds(std::vector<LightEntry>& table, const std::vector<double>& probabilities) {
@@ -102,6 +119,7 @@ std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmit
   if (withEmitters && scene.environment) add(LightKind::environment, 0);
   if (sums == GroupValues{}) return {};
   const GroupValues groups = groupProbabilities(scene, sums);
+  sums[kUnhitGroup] = raiseUnhit(table, weights, sums[kUnhitGroup]);
   for (std::size_t i = 0; i < table.size(); ++i) {
     const std::size_t group = groupOf(table[i].kind);
     weights[i] = sums[group] > 0 ? weights[i] / sums[group] * groups[group] : 0;

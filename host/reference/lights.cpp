@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::uint32_t kChoiceCount = 1u << 24;
 constexpr double kMinGroupProbability = 0.2;
+constexpr double kMinPointWeight = 0.2;  // of the mean weight
 
 // Emitters, lights that no ray finds, and the environment.
 enum Group { kEmitters, kPoints, kEnvironment, kGroupCount };
@@ -38,7 +39,9 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
     const bool shines = std::ranges::any_of(weights, [](std::uint64_t weight) { return weight > 0; });
     entryOfEnvironment_ = add(EnvironmentLight(shines));
   }
-  computeThresholds(groupProbabilities(scene));
+  const std::vector<double> groups = groupProbabilities(scene);
+  raisePointWeights();
+  computeThresholds(groups);
 }
 
 void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
@@ -83,6 +86,15 @@ std::vector<double> LightTable::groupProbabilities(const scene::Scene& scene) co
     probabilities[group] = std::lerp(fraction, 1 / count, count * kMinGroupProbability);
   }
   return probabilities;
+}
+
+void LightTable::raisePointWeights() {
+  const auto isChoosable = [](const Entry& entry) { return groupOf(entry.light) == kPoints && entry.weight > 0; };
+  const auto count = static_cast<double>(std::ranges::count_if(entries_, isChoosable));
+  const double minimum = kMinPointWeight * groupWeights()[kPoints] / count;
+  for (Entry& entry : entries_) {
+    if (isChoosable(entry)) entry.weight = std::max(entry.weight, minimum);
+  }
 }
 
 void LightTable::computeThresholds(const std::vector<double>& groups) {

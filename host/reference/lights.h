@@ -52,6 +52,8 @@ class LightTable {
   std::vector<double> groupWeights() const;
   /// The probability of each group that has an entry of positive weight.
   std::vector<double> groupProbabilities(const scene::Scene& scene) const;
+  /// Raises the weights of lights that no ray finds, so that none is lost beside a much brighter one.
+  void raisePointWeights();
   void computeThresholds(const std::vector<double>& groups);
   double probability(std::uint32_t entry) const;
   /// Returns the density for `entry`, or 0 for kNoEntry.

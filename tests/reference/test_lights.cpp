@@ -68,6 +68,18 @@ TEST_CASE("thresholds are rounded to nearest, and the last one is 2^24") {
   CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{5592405, 11184811, kAll});
 }
 
+TEST_CASE("lights that no ray finds have at least a fifth of the mean weight, however bright another one is") {
+  SceneBuilder b;
+  b.pointLight({0, 0, 1}, vec3(1e-6f)).pointLight({0, 0, 2}, vec3(0)).pointLight({0, 0, 3}, vec3(1));
+  b.scene.punctualLights.resize(2);
+  b.scene.punctualLights[0].intensity = vec3(1e-3f);
+  b.scene.punctualLights[1].intensity = vec3(3);
+  const LightTable lights(b.scene, {});
+  // Four lights are on, so that two weights are raised to 4/20: 0.2, 0, 1, 0.2, 3 of 4.4.
+  const double expected[] = {1 / 22.0, 1 / 22.0, 6 / 22.0, 7 / 22.0, 1};
+  for (std::size_t i = 0; i < 5; ++i) CHECK(lights.thresholds().at(i) == Approx(expected[i] * kAll).epsilon(1e-3));
+}
+
 TEST_CASE("emitters, point lights and the environment are chosen by the flux that the scene receives") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(5))).sphere({0, 0, 0}, 1).sphere({5, 0, 0}, 1);

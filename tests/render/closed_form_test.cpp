@@ -1,5 +1,6 @@
 // Pictures whose exact values are known independently of both tracers.
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "tests/render/both_tracers.h"
 
@@ -73,6 +74,21 @@ TEST_CASE("a point light shows Kd Lc cd cos on a diffuse plane") {
     CHECK(mean.x == Approx(0.8 * 1 * 0.6).epsilon(1e-3));
     CHECK(mean.y == Approx(0.5 * 2 * 0.6).epsilon(1e-3));
     CHECK(mean.z == Approx(0.25 * 3 * 0.6).epsilon(1e-3));
+  });
+}
+
+TEST_CASE("a lamp gives its light beside a hidden sun of a billion times its power") {
+  // The sun shines from below the plane: 0.5 / pi * 64 cd / (4 m)^2 is the lamp's light alone.
+  scene::Scene scene = sceneFromText(
+      "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 0.01\nhither 0\nresolution 32 32\n"
+      "f 0.5 0.5 0.5 1 0 0 0 0 1 0 1 0 0 0\npl 0 0 0 1 0 0 0 1 0\n");
+  using Kind = scene::PunctualLight::Kind;
+  scene.punctualLights = {
+      {.kind = Kind::point, .position = {0, 0, 4}, .intensity = glm::vec3(64)},
+      {.kind = Kind::directional, .direction = {0, 0, 1}, .intensity = glm::vec3(1e5f), .reach = 800}};
+  onBothTracers([&](const RenderFunction& renderScene) {
+    const double mean = meanLuminance(renderScene(scene, squareSettings(32, 64)).film);
+    CHECK(mean == Approx(2 / std::numbers::pi).epsilon(0.05));
   });
 }
 

@@ -89,6 +89,22 @@ TEST_CASE("punctual lights are chosen by intensity, a directional one by irradia
   CHECK(flatten::buildLightTable(scene, false).size() == 4);
 }
 
+TEST_CASE("a lamp beside a sun has a fifth of its equal part, and a lamp that is off has none") {
+  using Kind = scene::PunctualLight::Kind;
+  scene::Scene scene = lamps();
+  scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}};
+  scene.punctualLights = {{.kind = Kind::directional, .intensity = glm::vec3(1e5f), .reach = 800},
+                          {.kind = Kind::point, .intensity = {0, 0, 0}},
+                          {.kind = Kind::spot, .intensity = {64, 64, 64}}};
+  const auto table = flatten::buildLightTable(scene, false);
+  REQUIRE(table.size() == 4);
+  // With the sun's weight as 1: 1/15, 1, 0 and 1/15.
+  CHECK(table[0].probability == Approx(1.0 / 17).margin(kStep));
+  CHECK(table[1].probability == Approx(15.0 / 17).margin(kStep));
+  CHECK(table[2].probability == 0);
+  CHECK(table[3].probability == Approx(1.0 / 17).margin(kStep));
+}
+
 TEST_CASE("emitters that cannot be sampled by area are not in the table") {
   scene::Scene scene = lamps();
   scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});
