@@ -24,6 +24,7 @@ inline StringContainsMatcher Contains(const std::string& part) { return Contains
 namespace Catch {
 
 using Matchers::Contains;
+using Matchers::EndsWith;
 using Matchers::StartsWith;
 
 class TestEventListenerBase : public EventListenerBase {
