@@ -240,7 +240,10 @@ TEST_CASE("an output that cannot be written is refused before any work, and no f
       {{"-o", folder.path("a.tga")}, 1, ".png"},
       {{"-o", folder.path("noextension")}, 1, ".png"},
       {{"-o", folder.path("")}, 2, "is a folder"},
-      {{"-o", folder.path("a.png"), "--json", folder.path("missing/a.json")}, 2, "there is no folder"}};
+      {{"-o", folder.path("a.png"), "--json", folder.path("missing/a.json")}, 2, "there is no folder"},
+      {{"-o", "/proc/a.png"}, 2, "cannot write \"/proc/a.png\""},
+      {{"--json", "/proc/a.json"}, 2, "cannot write \"/proc/a.json\""},
+      {{"--checkpoint", "/proc/a.exr"}, 2, "cannot write \"/proc/a.exr\""}};
   for (const Case& each : cases) {
     std::vector<std::string> words{scene, "--device", "cpu", "--spp", "100000000"};
     words.insert(words.end(), each.outputs.begin(), each.outputs.end());
