@@ -83,8 +83,11 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
-Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
-  if (scene.camera) eye_ = scene.camera->from;
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings)
+    : Tracing(scene, settings, scene.camera ? dvec3(scene.camera->from) : dvec3(0)) {}
+
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye)
+    : scene_(&scene), settings_(settings), eye_(eye) {
   const bool tracesReplicas = settings.execution.replicas > 0;
   const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
   std::vector<Bounds> boxes;
@@ -96,7 +99,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     (bounds ? bounded : unbounded).push_back(i);
     if (bounds) boxes.push_back(*bounds);
   }
-  if (tracesReplicas) padForReplicas(boxes, dvec3(scene.camera->from));
+  if (tracesReplicas) padForReplicas(boxes, eye_);
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.image.oneSided && material.opaque);
@@ -114,11 +117,19 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
-  if (tracesReplicas) findReaches(dvec3(scene.camera->from));
+  if (tracesReplicas) findReaches();
 }
 
-void Tracing::findReaches(const dvec3& eye) {
-  for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye));
+void Tracing::setEye(const dvec3& eye) {
+  if (settings_.execution.replicas > 0) {
+    *this = Tracing(*scene_, settings_, eye);
+  } else {
+    eye_ = eye;
+  }
+}
+
+void Tracing::findReaches() {
+  for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye_));
 }
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided) {
