@@ -115,6 +115,7 @@ std::span<image::LayerRow> GpuSession::layersOf(BandRows rows) {
 
 void GpuSession::startCounting() {
   statistics_ = prepared_;
+  counted_.reset();
   loaded_ = {};
   paths_.clear();
 }
@@ -132,7 +133,7 @@ void GpuSession::reset(std::uint32_t seed) {
   settings_.image.seed = seed;
   cameraRecords_.constants.seed = seed;
   flat_.constants.seed = seed;
-  deviceScene_->update(cameraRecords_);
+  deviceScene_->updateConstants(cameraRecords_);
   empty();
 }
 
@@ -194,19 +195,27 @@ void GpuSession::fetchFilm() {
   band_->readFilm(filmOf(bandAt(*resident_)), layersOf(bandAt(*resident_)));
   if (matteIds_) addListedHits(band_->readHitLists(), bandAt(*resident_).first, coverage_.first, *matteIds_, film_);
   statistics_.seconds["readBack"] += watch.lap();
+  isFetched_ = true;
+}
+
+void GpuSession::updateFilm() {
+  if (!isFetched_) fetchFilm();
 }
 
 image::Film GpuSession::film() {
-  fetchFilm();
+  updateFilm();
   return film_;
 }
 
 render::RenderStatistics GpuSession::statistics() {
-  fetchFilm();
-  render::RenderStatistics result = statistics_;
-  if (resident_) band_->addCounts(result);
-  countSamples(result);
-  return result;
+  updateFilm();
+  if (!counted_) {
+    render::RenderStatistics result = statistics_;
+    if (resident_) band_->addCounts(result);
+    countSamples(result);
+    counted_ = std::move(result);
+  }
+  return *counted_;
 }
 
 void GpuSession::countSamples(render::RenderStatistics& statistics) const {
