@@ -56,7 +56,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   prepared_.seconds["build"] = watch.lap();
   prepared_.seconds["structure"] = flat_.structureSeconds;
 
-  requireDeviceMemory(info, std::span(flat_.rows).size_bytes(), bandRowBytes(kernel_, settings_));
+  requireDeviceMemory(info, hostBytes(), std::span(flat_.rows).size_bytes(), bandRowBytes(kernel_, settings_));
   deviceScene_ = std::make_unique<DeviceScene>(context_->device, flat_, loadsFor(info, flat_, settings_));
   flat_.rows = {};
   prepared_.seconds["upload"] = watch.lap();
@@ -147,8 +147,16 @@ void GpuSession::setCamera(const scene::Camera& camera) {
 }
 
 std::uint32_t GpuSession::preferredBandHeight() const {
+  // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
+  const std::uint64_t memory = usableMemory(context_->device.info(), hostBytes()) / 4;
   return bandHeight(context_->device.info(), kernel_, settings_,
-                    std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
+                    std::min({context_->maxBandBytes, settings_.execution.maxBandBytes, memory}));
+}
+
+std::uint64_t GpuSession::hostBytes() const { return hostMemoryNeed(scene_, settings_); }
+
+std::uint64_t GpuSession::bufferBytes() const {
+  return prepared_.deviceBytes + (band_ ? 0 : bandRowBytes(kernel_, settings_) * bandHeight_);
 }
 
 // Keeps the buffers of the band if the image fits into them.

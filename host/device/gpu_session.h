@@ -36,6 +36,11 @@ class GpuSession final : public render::Session {
   /// Returns the film in device memory, or null if the device does not have all of it: no sample was traced since the
   /// film was emptied or loaded, or the image has several bands. It may be called while advance() reports progress.
   const vulkan::Buffer* residentFilm() const;
+  const vulkan::DeviceInfo& deviceInfo() const { return context_->device.info(); }
+  /// Returns hostMemoryNeed() of the session's render.
+  std::uint64_t hostBytes() const;
+  /// Returns the bytes of all buffers of the session, including those of a band that is created later.
+  std::uint64_t bufferBytes() const;
   render::Extent filmSize() const { return {film_.width(), film_.height()}; }
   /// image::Film::radianceOfOne() of the film, which binary32 represents exactly.
   float radianceOfOne() const { return static_cast<float>(film_.radianceOfOne()); }
