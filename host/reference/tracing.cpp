@@ -26,7 +26,7 @@ dvec3 inverseOf(const dvec3& direction) {
   return inverse;
 }
 
-bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double limit) {
+bool intersects(const Bounds& box, const dvec3& origin, const dvec3& inverse, double limit) {
   const dvec3 a = (box.min - origin) * inverse;
   const dvec3 b = (box.max - origin) * inverse;
   const dvec3 low = glm::min(a, b);
@@ -171,7 +171,7 @@ bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& coun
     const std::uint32_t index = stack[--stackSize];
     const Node& node = hierarchy_.nodes[index];
     ++counters.traversalSteps;
-    if (!meets(node.bounds, ray.origin, inverse, limit)) continue;
+    if (!intersects(node.bounds, ray.origin, inverse, limit)) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       ++counters.traversalSteps;
       if (visit(items_[i])) return true;
