@@ -104,7 +104,7 @@ vec4 anisotropicCoordinates(vec3 wo, float roughness, float strength, vec2 alpha
   return vec4(wo.z * (1.0 + towards) / (wo.z + towards), azimuth, roughness, strength);
 }
 
-// As microfacetAlbedo(), for alphas along x and y.
+// Returns microfacetAlbedo() of a surface that has one alpha along x and another along y.
 vec2 anisotropicAlbedo(vec3 wo, float roughness, float strength, vec2 alpha) {
   vec4 coordinates = anisotropicCoordinates(wo, roughness, strength, alpha);
   float white = min(1.0, anisotropicValue(firstAnisotropicRow(), kAnisotropicCells, coordinates));

@@ -20,7 +20,7 @@ float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
   return mix(dot(weights, sceneRowFloat(row)), dot(weights, sceneRowFloat(row + layer)), part.z);
 }
 
-// As glassAlbedo(), for alphas along x and y.
+// Returns glassAlbedo() of a surface that has one alpha along x and another along y.
 float anisotropicGlassAlbedo(vec3 wo, float roughness, float strength, vec2 alpha, float ior, bool outside) {
   vec4 coordinates = anisotropicCoordinates(wo, roughness, strength, alpha);
   float scaled = min(sqrt(2.0 * (ior - 1.0) / (ior + 1.0)), 1.0) * float(kAnisotropicGlassIorCells);

@@ -60,8 +60,8 @@ GridShape gridShape(const Aabb& bounds, std::size_t primitiveCount, double densi
     shape.sides[axis] = 1;
     if (extent[axis] <= thinnest) continue;
     const double wanted = std::trunc(density * extent[axis] * s) + 1;
-    const double most = std::min<double>(std::trunc(extent[axis] / thinnest), kMaxCellsPerAxis);
-    shape.sides[axis] = static_cast<std::uint32_t>(std::min(wanted, most));
+    const double maxSide = std::min<double>(std::trunc(extent[axis] / thinnest), kMaxCellsPerAxis);
+    shape.sides[axis] = static_cast<std::uint32_t>(std::min(wanted, maxSide));
     if (shape.sides[axis] > 1) shape.scale[axis] = static_cast<float>(shape.sides[axis] / extent[axis]);
   }
   shape.strides = stridesOf(shape.sides, shape.outermostAxis());

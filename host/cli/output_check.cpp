@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "host/core/atomic_file.h"
 #include "host/core/errors.h"
 #include "host/image/image.h"
 
@@ -45,6 +46,8 @@ void requireWritableFile(const std::filesystem::path& file) {
   if (access(inPlace ? file.c_str() : folder.c_str(), W_OK) != 0) {
     throw FileError(fmt::format("{}: no permission to write there", file.string()));
   }
+  // Permissions say nothing about file systems that accept no new file, such as /proc.
+  if (!inPlace) const AtomicFile trial(file);
 }
 
 void requireWritableImage(const std::filesystem::path& file) {

@@ -10,7 +10,8 @@
 
 namespace candela::cli {
 
-/// Throws FileError unless the folder exists and is writable.
+/// Throws FileError unless the folder exists and a temporary file beside `file` can be created in it. The temporary
+/// file is removed. Devices and pipes are not opened.
 void requireWritableFile(const std::filesystem::path& file);
 /// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);

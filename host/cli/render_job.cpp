@@ -45,6 +45,17 @@ bool usesAccel(const Arguments& arguments, render::AccelKind accel) {
 
 bool usesEnvironment(const Arguments& arguments) { return !arguments.loadOptions.environment.source.empty(); }
 
+bool usesDevice(const Arguments& arguments) { return !arguments.usesReference(); }
+
+// All commands but `render` use the reference tracer, too.
+bool usesReferenceThreads(const Arguments& arguments) {
+  return arguments.usesReference() || arguments.command != Command::render || arguments.fallback == Fallback::reference;
+}
+
+bool buildsDeviceBvh(const Arguments& arguments) {
+  return usesDevice(arguments) && usesAccel(arguments, render::AccelKind::bvh);
+}
+
 // Comparisons and the viewer display images as well.
 bool displaysImage(const Arguments& arguments) {
   return arguments.command != Command::render || std::ranges::any_of(arguments.outputs, image::isEightBit);
@@ -61,6 +72,7 @@ struct SpecialOption {
   bool (*isRead)(const Arguments& arguments);
   const char* reader;
 };
+constexpr const char* kDevices = "Vulkan devices";
 constexpr std::array kSpecialOptions{
     SpecialOption{"--nee", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
                   "--integrator path"},
@@ -77,15 +89,23 @@ constexpr std::array kSpecialOptions{
                   "--integrator ao"},
     SpecialOption{"--grid-density", [](const Arguments& a) { return usesAccel(a, render::AccelKind::grid); },
                   "--accel grid"},
-    SpecialOption{"--layout", [](const Arguments& a) { return usesAccel(a, render::AccelKind::bvh); }, "--accel bvh"},
+    SpecialOption{"--layout", buildsDeviceBvh, "Vulkan devices with --accel bvh"},
     SpecialOption{"--bvh-split", [](const Arguments& a) { return usesAccel(a, render::AccelKind::bvh); },
                   "--accel bvh"},
     SpecialOption{"--bvh-quality",
                   [](const Arguments& a) {
-                    return usesAccel(a, render::AccelKind::bvh) &&
-                           a.request.settings.structure.bvhSplit == render::BvhSplit::sah;
+                    return buildsDeviceBvh(a) && a.request.settings.structure.bvhSplit == render::BvhSplit::sah;
                   },
-                  "--accel bvh with --bvh-split sah"},
+                  "Vulkan devices with --accel bvh and --bvh-split sah"},
+    SpecialOption{"--kernel",
+                  [](const Arguments& a) { return usesDevice(a) && usesIntegrator(a, render::Integrator::path); },
+                  "Vulkan devices with --integrator path"},
+    SpecialOption{"--loads", usesDevice, kDevices},
+    SpecialOption{"--workgroup", usesDevice, kDevices},
+    SpecialOption{"--segments-per-dispatch", usesDevice, kDevices},
+    SpecialOption{"--hang-timeout", usesDevice, kDevices},
+    SpecialOption{"--fallback", usesDevice, kDevices},
+    SpecialOption{"--threads", usesReferenceThreads, "the reference tracer (--device cpu)"},
     SpecialOption{"--env-rotate", usesEnvironment, "the environment of --env"},
     SpecialOption{"--env-scale", usesEnvironment, "the environment of --env"},
     SpecialOption{"--tonemap", displaysImage, "PNG and JPEG files"},

@@ -1,5 +1,7 @@
 // The meaning of `auto` on a device: the result of `candela tune`, or the built-in choice.
 #pragma once
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 #include <set>
@@ -7,6 +9,7 @@
 
 #include "host/cli/arguments.h"
 #include "host/cli/cached_device.h"
+#include "host/device/device_memory.h"
 #include "host/device/gpu_renderer.h"
 #include "host/render/renderer.h"
 #include "host/tune/tuning_file.h"
@@ -40,6 +43,8 @@ class TunedRenderer final : public render::Renderer {
     for (const std::string& warning : session->statistics().warnings) {
       if (warned_.insert(warning).second) log_.warning(warning);
     }
+    if (const std::uint64_t bytes = device::predictedMemory(*session); bytes > 0)
+      log_.detail(fmt::format("about {} MiB of memory will be used", bytes >> 20));
     return session;
   }
 

@@ -13,7 +13,6 @@
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/hash.h"
-#include "host/device/device_memory.h"
 #include "host/device/tile_cursor.h"
 #include "host/device/unfinished_rows.h"
 #include "host/device/wavefront.h"
@@ -102,8 +101,7 @@ std::uint64_t bandRowBytes(const Kernel& kernel, const render::RenderSettings& s
 std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
                          std::uint64_t maxBytes) {
   const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.window().width;
-  // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
-  const std::uint64_t allowedBytes = std::min({info.maxStorageBufferRange, maxBytes, usableMemory(info) / 4});
+  const std::uint64_t allowedBytes = std::min(info.maxStorageBufferRange, maxBytes);
   const std::uint64_t header = headerBytes(kernel, 0);
   const std::uint64_t rows = allowedBytes <= header ? 0 : (allowedBytes - header) / rowBytes;
   if (rows == 0) {

@@ -7,20 +7,52 @@
 
 #include "host/core/errors.h"
 #include "host/core/memory_budget.h"
+#include "host/device/gpu_session.h"
+#include "host/image/film.h"
+#include "host/scene/memory.h"
 
 namespace candela::device {
+namespace {
 
-std::uint64_t usableMemory(const vulkan::DeviceInfo& info) {
-  return info.type == "CPU" ? std::min(info.memoryBytes, memoryBudget()) : info.memoryBytes;
+// Memory of the program, lavapipe and LLVM with the path tracer, which does not depend on the size of the image: 104 to
+// 123 MiB if lavapipe has the kernel in its cache, and 123 to 184 MiB if it compiles it (docs/reliability.md).
+constexpr std::uint64_t kDriverBytes = std::uint64_t{130} << 20;
+
+constexpr const char* kSoftware = "CPU";  // DeviceInfo::type
+
+}  // namespace
+
+std::uint64_t hostMemoryNeed(const scene::Scene& scene, const render::RenderSettings& settings) {
+  const render::Window window = settings.image.window();
+  const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(settings.image.layers));
+  const std::uint64_t pixelBytes = sizeof(image::FilmPixel) + layerRows * sizeof(image::LayerRow);
+  return kDriverBytes + scene::memoryOf(scene).total + 2 * pixelBytes * window.width * window.height;
 }
 
-void requireDeviceMemory(const vulkan::DeviceInfo& info, std::uint64_t sceneBytes, std::uint64_t rowBytes) {
-  const std::uint64_t usable = usableMemory(info);
+std::uint64_t usableMemory(const vulkan::DeviceInfo& info, std::uint64_t hostBytes) {
+  if (info.type != kSoftware) return info.memoryBytes;
+  const std::uint64_t budget = memoryBudget();
+  return std::min(info.memoryBytes, budget - std::min(budget, hostBytes));
+}
+
+std::uint64_t predictedMemory(const render::Session& session) {
+  const auto* const onDevice = dynamic_cast<const GpuSession*>(&session);
+  if (onDevice == nullptr || onDevice->deviceInfo().type != kSoftware) return 0;
+  return onDevice->hostBytes() + onDevice->bufferBytes();
+}
+
+void requireDeviceMemory(const vulkan::DeviceInfo& info, std::uint64_t hostBytes, std::uint64_t sceneBytes,
+                         std::uint64_t rowBytes) {
+  const std::uint64_t usable = usableMemory(info, hostBytes);
   if (sceneBytes + rowBytes <= usable) return;
+  const std::string besides = info.type == kSoftware
+                                  ? fmt::format(", since the driver, the scene and the films take {} of {} MiB",
+                                                hostBytes >> 20, memoryBudget() >> 20)
+                                  : "";
   throw DeviceLimitError(fmt::format(
-      "the scene needs {} MiB and a row of the image {} MiB on {}, which may use {} MiB: try --layout cwbvh, "
+      "the scene needs {} MiB and a row of the image {} MiB on {}, which may use {} MiB{}: try --layout cwbvh, "
       "a smaller --size, another --device, or --device cpu",
-      sceneBytes >> 20, (rowBytes >> 20) + 1, info.name, usable >> 20));
+      sceneBytes >> 20, (rowBytes >> 20) + 1, info.name, usable >> 20, besides));
 }
 
 }  // namespace candela::device

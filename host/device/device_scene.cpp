@@ -75,6 +75,10 @@ void DeviceScene::update(const flatten::CameraRecords& records) {
   for (const flatten::RecordSpan* span : {&records.primitives, &records.pointLights}) {
     if (!span->rows.empty()) rows.upload(std::as_bytes(std::span(span->rows)), span->first * kRowBytes);
   }
+  updateConstants(records);
+}
+
+void DeviceScene::updateConstants(const flatten::CameraRecords& records) {
   uploadUniforms(records.constants, records.slotRows);
 }
 

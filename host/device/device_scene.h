@@ -28,6 +28,8 @@ class DeviceScene {
 
   /// Replaces the records that depend on the camera.
   void update(const flatten::CameraRecords& records);
+  /// Replaces the constants alone, such as the seed.
+  void updateConstants(const flatten::CameraRecords& records);
 
   bool readsTexels() const { return readsTexels_; }
   const vulkan::Buffer& rows() const { return rows_; }

@@ -21,10 +21,10 @@ constexpr double kRepresentative = 0.125;            // fraction of the aim: ove
 constexpr double kSlack = 2;                         // times the aim, for the most expensive region; below limitSeconds
 constexpr double kCostDecay = 0.9;                   // per target duration of work
 
-std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t most) {
-  if (pixels >= static_cast<double>(most)) return most;
+std::uint64_t roundToWorkgroups(double pixels, std::uint32_t workgroupPixels, std::uint64_t maxPixels) {
+  if (pixels >= static_cast<double>(maxPixels)) return maxPixels;
   const std::uint64_t groups = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(pixels) / workgroupPixels);
-  return std::min(groups * workgroupPixels, most);
+  return std::min(groups * workgroupPixels, maxPixels);
 }
 
 }  // namespace
@@ -50,8 +50,9 @@ Plan Governor::next() const {
   const auto total = static_cast<double>(options_.totalPixels);
   const std::uint32_t preferred = options_.fixedSegments > 0 ? options_.fixedSegments
                                                              : std::min(kPreferredSegments, options_.maxSegments);
-  const double fewest = options_.fixedSegments > 0 ? 1.0 : std::min(static_cast<double>(options_.minimumPixels), total);
-  const double wanted = std::clamp(budget_ / preferred, fewest, total);
+  const double minPixels = options_.fixedSegments > 0 ? 1.0
+                                                      : std::min(static_cast<double>(options_.minimumPixels), total);
+  const double wanted = std::clamp(budget_ / preferred, minPixels, total);
   const std::uint32_t segments = segmentsFor(static_cast<std::uint64_t>(wanted));
   return {roundToWorkgroups(budget_ / segments, options_.workgroupPixels, options_.totalPixels), segments};
 }
@@ -100,8 +101,8 @@ void Governor::raise(double units, double fittingUnits, double seconds) {
     budget_ = std::min(fittingUnits, base * kFastGrowth);
     return;
   }
-  const double most = std::min(fittingUnits, base * kGrowth);
-  budget_ += (most - budget_) * (seconds * kGrowth < aim() ? 1.0 : kSmoothing);
+  const double maxUnits = std::min(fittingUnits, base * kGrowth);
+  budget_ += (maxUnits - budget_) * (seconds * kGrowth < aim() ? 1.0 : kSmoothing);
 }
 
 }  // namespace candela::device

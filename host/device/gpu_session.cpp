@@ -56,7 +56,7 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   prepared_.seconds["build"] = watch.lap();
   prepared_.seconds["structure"] = flat_.structureSeconds;
 
-  requireDeviceMemory(info, std::span(flat_.rows).size_bytes(), bandRowBytes(kernel_, settings_));
+  requireDeviceMemory(info, hostBytes(), std::span(flat_.rows).size_bytes(), bandRowBytes(kernel_, settings_));
   deviceScene_ = std::make_unique<DeviceScene>(context_->device, flat_, loadsFor(info, flat_, settings_));
   flat_.rows = {};
   prepared_.seconds["upload"] = watch.lap();
@@ -115,6 +115,7 @@ std::span<image::LayerRow> GpuSession::layersOf(BandRows rows) {
 
 void GpuSession::startCounting() {
   statistics_ = prepared_;
+  counted_.reset();
   loaded_ = {};
   paths_.clear();
 }
@@ -132,7 +133,7 @@ void GpuSession::reset(std::uint32_t seed) {
   settings_.image.seed = seed;
   cameraRecords_.constants.seed = seed;
   flat_.constants.seed = seed;
-  deviceScene_->update(cameraRecords_);
+  deviceScene_->updateConstants(cameraRecords_);
   empty();
 }
 
@@ -146,8 +147,16 @@ void GpuSession::setCamera(const scene::Camera& camera) {
 }
 
 std::uint32_t GpuSession::preferredBandHeight() const {
+  // A quarter of the memory for the largest of a band's buffers leaves space for the others and for the scene.
+  const std::uint64_t memory = usableMemory(context_->device.info(), hostBytes()) / 4;
   return bandHeight(context_->device.info(), kernel_, settings_,
-                    std::min(context_->maxBandBytes, settings_.execution.maxBandBytes));
+                    std::min({context_->maxBandBytes, settings_.execution.maxBandBytes, memory}));
+}
+
+std::uint64_t GpuSession::hostBytes() const { return hostMemoryNeed(scene_, settings_); }
+
+std::uint64_t GpuSession::bufferBytes() const {
+  return prepared_.deviceBytes + (band_ ? 0 : bandRowBytes(kernel_, settings_) * bandHeight_);
 }
 
 // Keeps the buffers of the band if the image fits into them.
@@ -194,19 +203,27 @@ void GpuSession::fetchFilm() {
   band_->readFilm(filmOf(bandAt(*resident_)), layersOf(bandAt(*resident_)));
   if (matteIds_) addListedHits(band_->readHitLists(), bandAt(*resident_).first, coverage_.first, *matteIds_, film_);
   statistics_.seconds["readBack"] += watch.lap();
+  isFetched_ = true;
+}
+
+void GpuSession::updateFilm() {
+  if (!isFetched_) fetchFilm();
 }
 
 image::Film GpuSession::film() {
-  fetchFilm();
+  updateFilm();
   return film_;
 }
 
 render::RenderStatistics GpuSession::statistics() {
-  fetchFilm();
-  render::RenderStatistics result = statistics_;
-  if (resident_) band_->addCounts(result);
-  countSamples(result);
-  return result;
+  updateFilm();
+  if (!counted_) {
+    render::RenderStatistics result = statistics_;
+    if (resident_) band_->addCounts(result);
+    countSamples(result);
+    counted_ = std::move(result);
+  }
+  return *counted_;
 }
 
 void GpuSession::countSamples(render::RenderStatistics& statistics) const {

@@ -36,6 +36,11 @@ class GpuSession final : public render::Session {
   /// Returns the film in device memory, or null if the device does not have all of it: no sample was traced since the
   /// film was emptied or loaded, or the image has several bands. It may be called while advance() reports progress.
   const vulkan::Buffer* residentFilm() const;
+  const vulkan::DeviceInfo& deviceInfo() const { return context_->device.info(); }
+  /// Returns hostMemoryNeed() of the session's render.
+  std::uint64_t hostBytes() const;
+  /// Returns the bytes of all buffers of the session, including those of a band that is created later.
+  std::uint64_t bufferBytes() const;
   render::Extent filmSize() const { return {film_.width(), film_.height()}; }
   /// image::Film::radianceOfOne() of the film, which binary32 represents exactly.
   float radianceOfOne() const { return static_cast<float>(film_.radianceOfOne()); }
@@ -58,6 +63,7 @@ class GpuSession final : public render::Session {
   void retire();
   void makeResident(std::uint32_t index);
   void fetchFilm();
+  void updateFilm();
   std::uint64_t countLackingIn(BandRows rows, std::uint32_t sampleEnd);
   std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);
   bool finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
@@ -77,10 +83,13 @@ class GpuSession final : public render::Session {
   std::unique_ptr<Band> band_;  ///< created when it is first needed
   bool warm_ = false;           ///< the driver has compiled the pipelines
 
-  image::Film film_;                         ///< except for the resident band, whose newer film is on the device
-  render::FilmCoverage coverage_;            ///< of the film, including the part on the device
-  render::PixelMask mask_;                   ///< pixels to which advance() is restricted
-  std::optional<std::uint32_t> resident_;    ///< index of the band that is on the device
+  image::Film film_;                       ///< except for the resident band, whose newer film is on the device
+  render::FilmCoverage coverage_;          ///< of the film, including the part on the device
+  render::PixelMask mask_;                 ///< pixels to which advance() is restricted
+  std::optional<std::uint32_t> resident_;  ///< index of the band that is on the device
+  bool isFetched_ = false;                 ///< film_ has all samples of the resident band
+  /// The result of statistics(), until something changes it: counting takes a copy of all path states.
+  std::optional<render::RenderStatistics> counted_;
   render::RenderStatistics prepared_;        ///< of preparation
   render::RenderStatistics statistics_;      ///< of all work, except for the resident band's counts
   image::FilmCounts loaded_;                 ///< of the film that was loaded

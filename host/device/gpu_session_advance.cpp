@@ -39,7 +39,8 @@ void GpuSession::makeBand() {
 // Takes the results of the resident band from the device.
 void GpuSession::retire() {
   if (!resident_) return;
-  fetchFilm();
+  updateFilm();
+  counted_.reset();
   band_->addCounts(statistics_);
   if (settings_.execution.recordPaths) band_->readRecords(paths_);
   resident_.reset();
@@ -96,10 +97,12 @@ bool GpuSession::finishBySteps(BandRows rows, std::uint32_t sampleEnd, const ren
 bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
                              const std::function<void(std::uint64_t)>& samplesFinished) {
   Stopwatch watch;
+  counted_.reset();
   if (!band_) makeBand();  // first, since it decides the height of all bands
   const std::uint64_t lacking = pixelsLacking(bandAt(index), sampleEnd);
   if (lacking == 0) return true;
   makeResident(index);
+  isFetched_ = false;
   if (!warm_) {
     band_->warmUp(sampleEnd, budget_);
     warm_ = true;
@@ -114,7 +117,7 @@ bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const
 
 bool GpuSession::advance(render::SampleRange range, const render::RenderControl& control) {
   const bool uneven = coverage_.samples == render::FilmCoverage::kUneven;
-  if (uneven) fetchFilm();
+  if (uneven) updateFilm();
   const std::uint32_t covered = uneven ? render::minSampleCount(film_.pixels()) : coverage_.samples;
   render::requireContiguous(range, coverage_, covered, settings_.image.sampleCount);
   if (coverage_.isEmpty()) {

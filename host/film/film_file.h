@@ -24,7 +24,7 @@ struct FilmRows {
   std::uint32_t first;  ///< index of the first row within the window of the film
   std::span<const image::FilmPixel> pixels;
   std::span<const image::LayerRow> layerRows;  ///< as Film::layerRows()
-  /// As Film::ids(), by MatteKind.
+  /// The counts of Film::ids(), by MatteKind.
   std::array<std::span<const image::IdCounts>, image::kMatteKinds.size()> ids{};
 };
 

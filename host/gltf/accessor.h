@@ -22,7 +22,7 @@ enum class NonFinite : std::uint8_t { refused, zero };
 class Accessors {
  public:
   /// All must outlive this object. `lenientLog` receives the warnings of NonFinite::zero; without it, such elements are
-  /// errors, which tell of --lenient.
+  /// errors, whose messages name --lenient.
   Accessors(const Value& root, Buffers& buffers, scene::DiagnosticLog* lenientLog = nullptr)
       : root_(root), buffers_(buffers), lenientLog_(lenientLog) {}
 

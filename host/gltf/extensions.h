@@ -12,7 +12,7 @@ namespace candela::gltf {
 /// Complete, or `partly`: files load, and a warning names the parts that are not rendered yet.
 enum class Support : std::uint8_t { none, partly, complete };
 
-/// As docs/gltf.md lists them; decoders that this program was built without are `none`.
+/// Returns the support that docs/gltf.md lists; decoders that this program was built without are `none`.
 Support supportOf(std::string_view extension);
 
 /// The extensions in `extensionsUsed`, and those of them that are supported partly or not at all.

@@ -29,12 +29,12 @@ std::uint64_t bytesOf(const scene::Mesh& mesh) {
          mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
 }
 
-float leastAlphaOf(const scene::TextureImage& image) {
-  std::uint32_t least = 255;
-  std::uint64_t deepLeast = 65535;
-  for (const std::uint32_t texel : image.texels) least = std::min(least, texel >> 24);
-  for (const std::uint64_t texel : image.deepTexels) deepLeast = std::min(deepLeast, texel >> 48);
-  return std::min(static_cast<float>(least) / 255, static_cast<float>(deepLeast) / 65535);
+float minAlphaOf(const scene::TextureImage& image) {
+  std::uint32_t minAlpha = 255;
+  std::uint64_t minDeepAlpha = 65535;
+  for (const std::uint32_t texel : image.texels) minAlpha = std::min(minAlpha, texel >> 24);
+  for (const std::uint64_t texel : image.deepTexels) minDeepAlpha = std::min(minDeepAlpha, texel >> 48);
+  return std::min(static_cast<float>(minAlpha) / 255, static_cast<float>(minDeepAlpha) / 65535);
 }
 
 // A name that is not a string is ignored: other readers report it.
@@ -197,20 +197,20 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
 }
 
 void SceneAssembly::noteAlpha(const scene::Mesh& mesh, std::uint32_t material) {
-  float least = 1;
-  for (const glm::vec4& colour : mesh.colours) least = std::min(least, colour.w);
-  const auto [known, isNew] = leastAlpha_.emplace(material, least);
-  known->second = std::min(known->second, least);
+  float minAlpha = 1;
+  for (const glm::vec4& colour : mesh.colours) minAlpha = std::min(minAlpha, colour.w);
+  const auto [known, isNew] = minAlpha_.emplace(material, minAlpha);
+  known->second = std::min(known->second, minAlpha);
 }
 
 void SceneAssembly::dropUselessOpacity() {
   for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
     std::optional<scene::Opacity>& opacity = scene_.materials[i].opacity;
     if (!opacity) continue;
-    const auto vertices = leastAlpha_.find(static_cast<std::uint32_t>(i));
-    float least = opacity->factor * (vertices == leastAlpha_.end() ? 1 : vertices->second);
-    if (opacity->texture) least *= leastAlphaOf(scene_.images[opacity->texture->image]);
-    if (least >= opacity->cutoff.value_or(1)) opacity.reset();
+    const auto vertices = minAlpha_.find(static_cast<std::uint32_t>(i));
+    float minAlpha = opacity->factor * (vertices == minAlpha_.end() ? 1 : vertices->second);
+    if (opacity->texture) minAlpha *= minAlphaOf(scene_.images[opacity->texture->image]);
+    if (minAlpha >= opacity->cutoff.value_or(1)) opacity.reset();
   }
 }
 

@@ -68,8 +68,8 @@ class SceneAssembly {
   scene::StatementCounts counts_{};
   std::set<std::string> unread_{};  ///< names of features of materials and meshes that are not rendered
   bool hasOcclusion_ = false;
-  std::map<std::uint32_t, float> leastAlpha_{};  ///< of the vertex colours, by material
-  std::size_t defaultMaterial_ = 0;              ///< its index, once it exists
+  std::map<std::uint32_t, float> minAlpha_{};  ///< of the vertex colours, by material
+  std::size_t defaultMaterial_ = 0;            ///< its index, once it exists
   std::size_t triangleCount_ = 0;
   std::uint64_t byteCount_ = 0;
 };

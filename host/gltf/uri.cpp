@@ -10,7 +10,7 @@ namespace {
 constexpr std::string_view kDataScheme = "data:";
 constexpr std::string_view kBase64Marker = ";base64";
 
-/// Of ASCII letters.
+/// Compares texts. Only ASCII letters have two cases.
 bool equalsIgnoringCase(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
   return std::ranges::equal(a, b, {}, lower, lower);

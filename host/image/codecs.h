@@ -26,7 +26,7 @@ Pixels8 decodeJpeg(ByteView file);
 Image decodeHdr(ByteView file);
 Image decodePfm(ByteView file);
 Image decodeExr(ByteView file);
-/// As decodeTexels() does.
+/// These two return what decodeTexels() does for files of their formats.
 Texels decodePngTexels(ByteView file);
 Texels decodeWebp(ByteView file);
 

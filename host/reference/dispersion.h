@@ -30,7 +30,7 @@ class DispersiveBsdf {
   BsdfValue evaluate(const dvec3& wi) const {
     return mixed([&](const SurfaceBsdf& surface) { return surface.evaluate(wi); });
   }
-  /// As that of SurfaceBsdf, by the same choice.
+  /// Returns SurfaceBsdf::diffuseLobe(), mixed over the channels like evaluate().
   BsdfValue diffuseLobe() const {
     return mixed([](const SurfaceBsdf& surface) { return surface.diffuseLobe(); });
   }

@@ -26,7 +26,7 @@ dvec3 inverseOf(const dvec3& direction) {
   return inverse;
 }
 
-bool meets(const Bounds& box, const dvec3& origin, const dvec3& inverse, double limit) {
+bool intersects(const Bounds& box, const dvec3& origin, const dvec3& inverse, double limit) {
   const dvec3 a = (box.min - origin) * inverse;
   const dvec3 b = (box.max - origin) * inverse;
   const dvec3 low = glm::min(a, b);
@@ -83,8 +83,11 @@ Counters& Counters::operator+=(const Counters& other) {
   return *this;
 }
 
-Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
-  if (scene.camera) eye_ = scene.camera->from;
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings)
+    : Tracing(scene, settings, scene.camera ? dvec3(scene.camera->from) : dvec3(0)) {}
+
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye)
+    : scene_(&scene), settings_(settings), eye_(eye) {
   const bool tracesReplicas = settings.execution.replicas > 0;
   const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
   std::vector<Bounds> boxes;
@@ -96,7 +99,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     (bounds ? bounded : unbounded).push_back(i);
     if (bounds) boxes.push_back(*bounds);
   }
-  if (tracesReplicas) padForReplicas(boxes, dvec3(scene.camera->from));
+  if (tracesReplicas) padForReplicas(boxes, eye_);
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.image.oneSided && material.opaque);
@@ -114,11 +117,19 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
-  if (tracesReplicas) findReaches(dvec3(scene.camera->from));
+  if (tracesReplicas) findReaches();
 }
 
-void Tracing::findReaches(const dvec3& eye) {
-  for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye));
+void Tracing::setEye(const dvec3& eye) {
+  if (settings_.execution.replicas > 0) {
+    *this = Tracing(*scene_, settings_, eye);
+  } else {
+    eye_ = eye;
+  }
+}
+
+void Tracing::findReaches() {
+  for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye_));
 }
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided) {
@@ -160,7 +171,7 @@ bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& coun
     const std::uint32_t index = stack[--stackSize];
     const Node& node = hierarchy_.nodes[index];
     ++counters.traversalSteps;
-    if (!meets(node.bounds, ray.origin, inverse, limit)) continue;
+    if (!intersects(node.bounds, ray.origin, inverse, limit)) continue;
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       ++counters.traversalSteps;
       if (visit(items_[i])) return true;

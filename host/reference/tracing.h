@@ -39,8 +39,9 @@ class Tracing {
   /// Uses `accel` of `settings` with its options, and `oneSided`. The scene must outlive the object.
   Tracing(const scene::Scene& scene, const render::RenderSettings& settings);
 
-  /// Moves the eye, on which the margin of spheres depends (docs/light-transport.md section 6).
-  void setEye(const dvec3& eye) { eye_ = eye; }
+  /// Moves the eye, on which the margin of spheres depends (docs/light-transport.md section 6). The rounding of
+  /// replicas depends on it, too: if they are traced, the structure is built again.
+  void setEye(const dvec3& eye);
 
   /// Returns the closest hit; of equal distances that of the lower primitive index.
   Hit closest(const Ray& ray, Counters& counters) const;
@@ -57,6 +58,8 @@ class Tracing {
   const Grid& grid() const { return grid_; }
 
  private:
+  Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye);
+
   /// A primitive to test.
   struct Item {
     Shape shape;
@@ -73,7 +76,7 @@ class Tracing {
   /// Returns whether a ray passes an item that it would otherwise hit. `word`: of the rounding of a replica; 0:
   /// exactly.
   bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
-  void findReaches(const dvec3& eye);
+  void findReaches();
   /// The origin of the ray that the device's test of this item amounts to; `signs` of the errors.
   dvec3 testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const;
   template <class Visit>
@@ -84,7 +87,8 @@ class Tracing {
   bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
   const scene::Scene* scene_;
-  dvec3 eye_{0};
+  render::RenderSettings settings_;
+  dvec3 eye_;
   std::vector<Item> items_;             ///< in the structure's order, then those outside of the structure
   std::size_t firstOutside_ = 0;        ///< index of the first item outside of the structure
   std::vector<RoundingReach> reaches_;  ///< of items_; empty unless replicas are traced

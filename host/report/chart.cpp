@@ -18,15 +18,15 @@ std::uint64_t highest(const Histogram& histogram) {
   return std::max<std::uint64_t>(1, *std::max_element(histogram.counts.begin(), histogram.counts.end()));
 }
 
-double heightOf(std::uint64_t count, std::uint64_t most) {
-  return (kBase - 4) * static_cast<double>(count) / static_cast<double>(most);
+double heightOf(std::uint64_t count, std::uint64_t maxCount) {
+  return (kBase - 4) * static_cast<double>(count) / static_cast<double>(maxCount);
 }
 
-std::string bars(const Histogram& histogram, std::uint64_t most) {
+std::string bars(const Histogram& histogram, std::uint64_t maxCount) {
   const double step = kChartWidth / static_cast<double>(histogram.counts.size());
   std::string out;
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    const double height = heightOf(histogram.counts[i], most);
+    const double height = heightOf(histogram.counts[i], maxCount);
     if (height == 0) continue;
     out += fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>",
                        static_cast<double>(i) * step, kBase - height, step, height);
@@ -34,11 +34,11 @@ std::string bars(const Histogram& histogram, std::uint64_t most) {
   return "<g class=\"bars\">" + out + "</g>";
 }
 
-std::string line(const Histogram& histogram, std::uint64_t most) {
+std::string line(const Histogram& histogram, std::uint64_t maxCount) {
   const double step = kChartWidth / static_cast<double>(histogram.counts.size());
   std::string path = fmt::format("M0 {:.1f}", kBase);
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
-    path += fmt::format("V{:.1f}H{:.1f}", kBase - heightOf(histogram.counts[i], most),
+    path += fmt::format("V{:.1f}H{:.1f}", kBase - heightOf(histogram.counts[i], maxCount),
                         static_cast<double>(i + 1) * step);
   }
   return fmt::format("<path class=\"line\" d=\"{}V{:.1f}\"/>", path, kBase);
@@ -63,11 +63,11 @@ std::string power(double stops) { return fmt::format("{:.3g}", std::exp2(stops))
 
 std::string valueChart(const ValueHistograms& histograms) {
   const auto& [a, b] = histograms;
-  const std::uint64_t most = std::max(highest(a), highest(b));
+  const std::uint64_t maxCount = std::max(highest(a), highest(b));
   const std::string description = fmt::format("Histogram of the luminances of A and B, from {} to {}, logarithmic",
                                               power(a.low), power(a.high));
-  return drawing(description,
-                 bars(a, most) + line(b, most) + axis(power(a.low), power((a.low + a.high) / 2), power(a.high)));
+  return drawing(description, bars(a, maxCount) + line(b, maxCount) +
+                                  axis(power(a.low), power((a.low + a.high) / 2), power(a.high)));
 }
 
 std::string differenceChart(const Histogram& histogram) {

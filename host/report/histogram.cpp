@@ -12,7 +12,7 @@ namespace {
 constexpr int kMaxStops = 24;
 constexpr std::size_t kBinsPerStop = 2;
 constexpr std::size_t kDifferenceBins = 41;  // odd, so that equal pixels are in the middle bin
-constexpr double kShareWithin = 0.99;
+constexpr double kFractionWithin = 0.99;
 
 struct StopRange {
   double low = -1;
@@ -21,19 +21,19 @@ struct StopRange {
 
 // Rounds to whole stops.
 StopRange stopRange(const image::Image& a, const image::Image& b) {
-  double least = HUGE_VAL;
-  double most = -HUGE_VAL;
+  double minStops = HUGE_VAL;
+  double maxStops = -HUGE_VAL;
   for (const image::Image* image : {&a, &b}) {
     for (const glm::vec3& pixel : image->rgb) {
       const double stops = std::log2(image::luminance(glm::dvec3(pixel)));
       if (!std::isfinite(stops)) continue;
-      least = std::min(least, stops);
-      most = std::max(most, stops);
+      minStops = std::min(minStops, stops);
+      maxStops = std::max(maxStops, stops);
     }
   }
-  if (least > most) return {};
-  const double high = std::floor(most) + 1;
-  return {std::max(std::floor(least), high - kMaxStops), high};
+  if (minStops > maxStops) return {};
+  const double high = std::floor(maxStops) + 1;
+  return {std::max(std::floor(minStops), high - kMaxStops), high};
 }
 
 Histogram histogramOfStops(const image::Image& image, const StopRange& range) {
@@ -53,7 +53,7 @@ std::vector<double> relativeDifferences(const image::Image& a, const image::Imag
 }
 
 double rangeOf(const std::vector<double>& differences) {
-  const auto wanted = kShareWithin * static_cast<double>(differences.size());
+  const auto wanted = kFractionWithin * static_cast<double>(differences.size());
   for (const double range : {0.001, 0.01, 0.1, 1.0}) {
     const auto within = std::count_if(differences.begin(), differences.end(),
                                       [=](double d) { return std::abs(d) <= range; });
@@ -69,9 +69,9 @@ void Histogram::add(double value) {
     ++leftOut;
     return;
   }
-  const double place = (value - low) / (high - low) * static_cast<double>(counts.size());
+  const double position = (value - low) / (high - low) * static_cast<double>(counts.size());
   const double last = static_cast<double>(counts.size() - 1);
-  ++counts[static_cast<std::size_t>(std::clamp(std::floor(place), 0.0, last))];
+  ++counts[static_cast<std::size_t>(std::clamp(std::floor(position), 0.0, last))];
 }
 
 ValueHistograms valueHistograms(const image::Image& a, const image::Image& b) {

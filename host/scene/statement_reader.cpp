@@ -86,9 +86,9 @@ Token StatementReader::word(std::string_view what) {
 bool StatementReader::numberFollows() const { return looksLikeNumber(tokens_->peek().text); }
 bool StatementReader::numberOnLine() const { return tokens_->nextIsOnLine() && numberFollows(); }
 
-std::vector<float> StatementReader::numbersOnLine(std::size_t most) {
+std::vector<float> StatementReader::numbersOnLine(std::size_t maxCount) {
   std::vector<float> numbers;
-  while (numbers.size() < most && numberOnLine()) numbers.push_back(number({}));
+  while (numbers.size() < maxCount && numberOnLine()) numbers.push_back(number({}));
   return numbers;
 }
 

@@ -35,8 +35,8 @@ class StatementReader {
   /// Return whether the next token is a number: on this line, or on any line.
   bool numberOnLine() const;
   bool numberFollows() const;
-  /// Reads the numbers that remain on the line, at most `most`.
-  std::vector<float> numbersOnLine(std::size_t most);
+  /// Reads the numbers that remain on the line, at most `maxCount`.
+  std::vector<float> numbersOnLine(std::size_t maxCount);
   std::string_view form() const { return form_; }
 
   /// Returns the position of the last number that was read.

@@ -33,9 +33,9 @@ double pValueOf(const SelfNormalisedSum& values, double scale) {
 
 double criticalSum(double squares, double scale, double level) {
   const double needed = std::log(kRateCount / level);
-  double least = HUGE_VAL;
-  visitRates(scale, [&](double rate) { least = std::min(least, needed / rate + 0.5 * rate * squares); });
-  return least;
+  double minimum = HUGE_VAL;
+  visitRates(scale, [&](double rate) { minimum = std::min(minimum, needed / rate + 0.5 * rate * squares); });
+  return minimum;
 }
 
 }  // namespace candela::statistics

@@ -67,10 +67,10 @@ Buffer::Impl::Impl(std::shared_ptr<Device::Impl> owner, std::uint64_t bytes, Usa
     index = static_cast<std::uint32_t>(device->options.recording->buffers.size());
     device->options.recording->buffers.push_back({bytes, usage});
   }
-  device->countMemory(static_cast<std::int64_t>(raw.bytes));
+  device->memory.add(raw.bytes, raw.isInSystemMemory);
 }
 
-Buffer::Impl::~Impl() { device->countMemory(-static_cast<std::int64_t>(raw.bytes)); }
+Buffer::Impl::~Impl() { device->memory.remove(raw.bytes, raw.isInSystemMemory); }
 
 void Buffer::Impl::requireRange(std::uint64_t offset, std::uint64_t size) const {
   const bool isInside = offset <= raw.bytes && size <= raw.bytes - offset;

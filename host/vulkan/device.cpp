@@ -168,10 +168,7 @@ const DeviceInfo& Device::info() const { return impl_->info; }
 bool Device::hasFailed() const { return impl_->hasFailed; }
 bool Device::canPresent() const { return impl_->canPresent; }
 
-MemoryUse Device::memoryUse() const {
-  const std::scoped_lock lock(impl_->memoryMutex);
-  return impl_->memoryUse;
-}
+MemoryUse Device::memoryUse() const { return impl_->memory.use(); }
 
 void Device::loadPipelines(std::span<const std::byte> data) {
   guarded("load compiled pipelines", [&] {

@@ -11,18 +11,12 @@
 
 #include "host/vulkan/command_recorder.h"
 #include "host/vulkan/device_info.h"
+#include "host/vulkan/memory_tally.h"
 #include "host/vulkan/shader_code.h"
 
 namespace candela::vulkan {
 
 struct Recording;
-
-/// Bytes of device memory in the buffers of one Device.
-struct MemoryUse {
-  std::uint64_t currentBytes = 0;
-  std::uint64_t peakBytes = 0;
-  std::uint64_t systemBytes = 0;  ///< of all buffers so far for which device memory had no room
-};
 
 struct DeviceOptions {
   /// Size of the staging buffer, through which memory that the host cannot map is written and read in chunks.
@@ -64,6 +58,7 @@ class Device {
   static Device open(const DeviceInfo& info, const DeviceOptions& options = {});
 
   const DeviceInfo& info() const;
+  /// Returns the bytes of the device's Buffer objects.
   MemoryUse memoryUse() const;
 
   /// Calls `record`, submits the recorded commands, waits for their end, and returns the seconds from submission to end

@@ -9,6 +9,7 @@
 #include "host/vulkan/device.h"
 #include "host/vulkan/hang_limit.h"
 #include "host/vulkan/instance.h"
+#include "host/vulkan/memory_tally.h"
 #include "host/vulkan/recording.h"
 #include "host/vulkan/residents.h"
 
@@ -24,7 +25,8 @@ struct RawBuffer {
   vk::raii::DeviceMemory memory{nullptr};
   vk::raii::Buffer handle{nullptr};
   std::uint64_t bytes = 0;
-  std::byte* mapped = nullptr;  ///< null if the host cannot or should not map it
+  std::byte* mapped = nullptr;    ///< null if the host cannot or should not map it
+  bool isInSystemMemory = false;  ///< device memory was preferred, but had no room
 };
 
 struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
@@ -47,9 +49,8 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   vk::raii::CommandBuffer commands{nullptr};
   vk::raii::Fence fence{nullptr};
   std::optional<RawBuffer> stagingBuffer;  ///< created when it is first needed
-  MemoryUse memoryUse;
-  std::mutex memoryMutex;  ///< held whenever memoryUse is used
-  Residents residents;     ///< buffers, pipelines and bindings of this device
+  MemoryTally memory;                      ///< of all Buffer objects
+  Residents residents;                     ///< buffers, pipelines and bindings of this device
   HangLimit hangLimit;
   std::atomic<bool> hasFailed = false;  ///< submitted work has not been confirmed to have ended normally
 
@@ -59,10 +60,6 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   /// Tries the suitable memory types in the order of `preference`. Throws OutOfMemoryError.
   RawBuffer allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference);
   RawBuffer& staging();
-  /// Adds to memoryUse; removes if `bytes` is negative.
-  void countMemory(std::int64_t bytes);
-  /// Adds to MemoryUse::systemBytes.
-  void countSystemMemory(std::uint64_t bytes);
 
   /// Adds a command to the recording, if there is one. `make` returns the command.
   template <class Make>

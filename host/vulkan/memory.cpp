@@ -82,7 +82,7 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
       const bool map = preference == MemoryPreference::host ||
                        (options.mapDeviceMemory && isUnified(memoryProperties.memoryTypes[type].propertyFlags));
       const bool isOnDevice = bool(memoryProperties.memoryTypes[type].propertyFlags & Flag::eDeviceLocal);
-      if (preference == MemoryPreference::device && !isOnDevice) countSystemMemory(bytes);
+      buffer.isInSystemMemory = preference == MemoryPreference::device && !isOnDevice;
       if (map) buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
       return buffer;
     }
@@ -90,18 +90,7 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
     throwTranslated(error, doing);
   }
   throw OutOfMemoryError(fmt::format("cannot {}, whose buffers already occupy {} of its {} bytes", doing,
-                                     memoryUse.currentBytes, info.memoryBytes));
-}
-
-void Device::Impl::countMemory(std::int64_t bytes) {
-  const std::scoped_lock lock(memoryMutex);
-  memoryUse.currentBytes += static_cast<std::uint64_t>(bytes);
-  memoryUse.peakBytes = std::max(memoryUse.peakBytes, memoryUse.currentBytes);
-}
-
-void Device::Impl::countSystemMemory(std::uint64_t bytes) {
-  const std::scoped_lock lock(memoryMutex);
-  memoryUse.systemBytes += bytes;
+                                     memory.use().currentBytes, info.memoryBytes));
 }
 
 RawBuffer& Device::Impl::staging() {

@@ -121,10 +121,10 @@ void Presenter::makeSwapchain() {
   if ((surface.supportedUsageFlags & kUsage) != kUsage) {
     throw NoDeviceError(impl.info.name + " cannot copy pictures to windows of this display; choose another --device");
   }
-  const std::uint32_t most = surface.maxImageCount == 0 ? std::numeric_limits<std::uint32_t>::max()
-                                                        : surface.maxImageCount;
-  vk::SwapchainCreateInfoKHR info({}, *surface_, std::min(surface.minImageCount + 1, most), format_, colourSpace_,
-                                  extent_, 1, kUsage);
+  const std::uint32_t maxImageCount = surface.maxImageCount == 0 ? std::numeric_limits<std::uint32_t>::max()
+                                                                 : surface.maxImageCount;
+  vk::SwapchainCreateInfoKHR info({}, *surface_, std::min(surface.minImageCount + 1, maxImageCount), format_,
+                                  colourSpace_, extent_, 1, kUsage);
   info.preTransform = surface.currentTransform;
   info.compositeAlpha = compositeAlphaOf(surface);
   info.presentMode = presentMode();

@@ -14,7 +14,7 @@ CANDELA_CONST uint kToneNeutral = 5u;
 CANDELA_CONST uint kToneDepth = 6u;
 CANDELA_CONST uint kToneHeat = 7u;
 
-// What a window shows, in the order of view::Mode.
+// The contents of a window, in the order of view::Mode.
 CANDELA_CONST uint kShowDevice = 0u;
 CANDELA_CONST uint kShowReference = 1u;
 CANDELA_CONST uint kShowSplit = 2u;

@@ -36,7 +36,7 @@ TEST_CASE("axes without extent have one cell, and the density applies to the oth
   // s = 100 / 50 = 2.
   CHECK(sidesOf({0, 0, 50}, 100, 2.005) == glm::uvec3(1, 1, 201));
   CHECK(sidesOf({0, 0, 0}, 100, 2) == glm::uvec3(1));
-  // As thin as boxes' padding counts as nothing.
+  // An extent that is no larger than the padding of boxes counts as 0.
   CHECK(sidesOf({10, 40, 1e-5}, 100, 2.1) == glm::uvec3(11, 43, 1));
 }
 

@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <vector>
 
-#include "host/bench/measure.h"
 #include "host/core/stopwatch.h"
 #include "host/device/gpu_renderer.h"
 #include "host/formats/load_scene.h"
 #include "host/render/request.h"
+#include "host/statistics/quantiles.h"
 
 using namespace candela;
 
@@ -39,7 +39,7 @@ void measure(render::Renderer& renderer, const std::string& file) {
   }
   std::ranges::sort(seconds);
   fmt::print("{}: {} primitives; prepare {:.0f} ms, setCamera {:.2f} ms ({:.2f} to {:.2f})\n", file,
-             scene.primitives.size(), 1e3 * prepared, 1e3 * bench::median(seconds), 1e3 * seconds.front(),
+             scene.primitives.size(), 1e3 * prepared, 1e3 * statistics::median(seconds), 1e3 * seconds.front(),
              1e3 * seconds.back());
 }
 

@@ -1,3 +1,4 @@
+// Checks documents by the rules of docs/json.md.
 #include "tests/cli/json_rules.h"
 
 #include <fmt/format.h>

@@ -106,21 +106,25 @@ TEST_CASE("the JSON report has every documented figure") {
   CHECK(report["badSamples"]["samples"] == 0);
 }
 
-TEST_CASE("a note says that --bvh-quality has no effect without a SAH BVH") {
+TEST_CASE("notes name the options of devices that the reference tracer does not read") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
-  const auto saysSo = [&](std::vector<std::string> options) {
-    std::vector<std::string> words{scene, "--json", "-", "--device", "cpu", "--bvh-quality", "high"};
-    words.insert(words.end(), options.begin(), options.end());
-    const ProgramResult result = runCandela(words);
-    INFO(result.err);
-    REQUIRE(result.exitCode == 0);
-    return result.err.find("--bvh-quality has no effect here; it applies to --accel bvh with --bvh-split sah") !=
-           std::string::npos;
-  };
-  CHECK(saysSo({"--bvh-split", "midpoint"}));
-  CHECK(saysSo({"--accel", "grid"}));
-  CHECK_FALSE(saysSo({}));
+  const std::string notes = runCandela({scene,   "--json",         "-",         "--device",
+                                        "cpu",   "--kernel",       "wavefront", "--workgroup",
+                                        "4x4",   "--layout",       "bvh2",      "--loads",
+                                        "texel", "--bvh-quality",  "high",      "--segments-per-dispatch",
+                                        "2",     "--hang-timeout", "9s",        "--fallback",
+                                        "cpu",   "--tile",         "8x8",       "--threads",
+                                        "1"})
+                                .err;
+  INFO(notes);
+  for (const char* option : {"--loads", "--workgroup", "--segments-per-dispatch", "--hang-timeout", "--fallback"})
+    CHECK(contains(notes, std::string(option) + " has no effect here; it applies to Vulkan devices\n"));
+  CHECK(contains(notes, "--kernel has no effect here; it applies to Vulkan devices with --integrator path\n"));
+  CHECK(contains(notes, "--layout has no effect here; it applies to Vulkan devices with --accel bvh\n"));
+  CHECK(contains(notes, "--bvh-quality has no effect here"));
+  CHECK_FALSE(contains(notes, "--tile"));
+  CHECK_FALSE(contains(notes, "--threads"));
 }
 
 TEST_CASE("notes say that options of environments and displays have no effect here") {
@@ -240,7 +244,10 @@ TEST_CASE("an output that cannot be written is refused before any work, and no f
       {{"-o", folder.path("a.tga")}, 1, ".png"},
       {{"-o", folder.path("noextension")}, 1, ".png"},
       {{"-o", folder.path("")}, 2, "is a folder"},
-      {{"-o", folder.path("a.png"), "--json", folder.path("missing/a.json")}, 2, "there is no folder"}};
+      {{"-o", folder.path("a.png"), "--json", folder.path("missing/a.json")}, 2, "there is no folder"},
+      {{"-o", "/proc/a.png"}, 2, "cannot write \"/proc/a.png\""},
+      {{"--json", "/proc/a.json"}, 2, "cannot write \"/proc/a.json\""},
+      {{"--checkpoint", "/proc/a.exr"}, 2, "cannot write \"/proc/a.exr\""}};
   for (const Case& each : cases) {
     std::vector<std::string> words{scene, "--device", "cpu", "--spp", "100000000"};
     words.insert(words.end(), each.outputs.begin(), each.outputs.end());

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// As on a machine without any Vulkan driver.
+// The surroundings of a machine without any Vulkan driver.
 const Surroundings kNoDriver{{"VK_DRIVER_FILES=/nonexistent", "VK_ICD_FILENAMES=/nonexistent"}, "", {}};
 
 }  // namespace

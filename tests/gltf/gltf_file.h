@@ -56,9 +56,9 @@ struct GltfFile {
   /// The first primitive.
   json& primitive() { return root["meshes"][0]["primitives"][0]; }
 
-  /// As JSON with a data URI.
+  /// Returns JSON with a data URI.
   std::string text() const;
-  /// As a GLB file.
+  /// Returns a GLB file.
   std::string glb() const;
 };
 

@@ -103,7 +103,7 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
 struct LightLeaves::Side {
   device::SceneLeaf leaf;
 
-  // As light_leaf.comp numbers them.
+  // The tasks of light_leaf.comp.
   static constexpr std::uint32_t kChoose = 0, kSample = 1, kFind = 2;
 
   template <class Query>
@@ -158,7 +158,7 @@ std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& 
 struct EnvironmentLeaves::Side {
   device::SceneLeaf leaf;
 
-  // As environment_leaf.comp numbers them.
+  // The tasks of environment_leaf.comp.
   static constexpr std::uint32_t kSample = 0, kTap = 1;
 };
 

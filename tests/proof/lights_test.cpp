@@ -31,7 +31,7 @@ std::pair<dvec3, dvec3> axesAcross(const dvec3& axis) {
   return {first, cross(axis, first)};
 }
 
-// As long as the triangle's area.
+// Returns the normal whose length is the triangle's area.
 dvec3 areaNormalOf(const scene::Triangle& triangle) {
   const dvec3 origin(triangle.p[0]);
   return cross(dvec3(triangle.p[1]) - origin, dvec3(triangle.p[2]) - origin) / 2.0;

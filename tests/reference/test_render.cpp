@@ -29,7 +29,38 @@ render::PathRecord recordOf(const scene::Scene& scene, std::uint32_t maxDepth) {
   return renderScene(scene, settings).paths.at(0);
 }
 
+/// Returns the luminances and deviations that the replicas of a session find.
+std::vector<double> replicaValues(render::Session& session) {
+  session.advance({0, 1}, {});
+  const render::ReplicaRecords records = session.replicas();
+  std::vector<double> values;
+  for (const render::Replica& replica : records.replicas) values.push_back(replica.radiance.x);
+  for (const render::Deviation& deviation : records.deviations) values.push_back(deviation.magnitude.x);
+  return values;
+}
+
 }  // namespace
+
+TEST_CASE("replicas of a session whose camera has moved are those of a session prepared with this camera") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0.5f)));
+  for (int i = 0; i < 40; ++i)
+    b.sphere({0.5f * static_cast<float>(i % 8) - 2, 0.5f * static_cast<float>(i / 8), 0}, 0.3f);
+  b.material(diffuseMaterial(vec3(0), vec3(4))).sphere({0, 6, 3}, 1);
+  scene::Scene scene = b.view({0, 1, 5}, {0, 1, 0}, {0, 1, 0}, 60).scene;
+  render::RenderSettings settings = settingsOf(8, 8, 1);
+  settings.execution.replicas = 2;
+  const auto session = reference::makeReferenceRenderer()->prepare(scene, settings);
+  const std::vector<double> before = replicaValues(*session);
+
+  scene::Scene moved = scene;
+  moved.camera->from = {300, 1, 900};
+  moved.camera->angle = 0.4f;
+  session->setCamera(*moved.camera);
+  const std::vector<double> after = replicaValues(*session);
+  CHECK(after == replicaValues(*reference::makeReferenceRenderer()->prepare(moved, settings)));
+  CHECK(after != before);
+}
 
 TEST_CASE("threads, tiles and the structure do not change a byte of the film") {
   scene::Scene scene = cornellBox().scene;

@@ -83,6 +83,26 @@ TEST_CASE("a film and its counts do not depend on how the samples are split into
   });
 }
 
+TEST_CASE("a film is read from the device once after each change") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  for (const std::uint64_t bandBytes : {64 << 20, 64 << 10}) {
+    const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .maxBandBytes = bandBytes});
+    const std::unique_ptr<render::Session> session = renderer->prepare(scene, sessionSettings());
+    double readBefore = 0;
+    for (const std::uint32_t end : {3u, kSamples}) {
+      CHECK(session->advance({0, end}, {}));
+      const std::uint64_t hash = session->film().hash();
+      const render::RenderStatistics first = session->statistics();
+      CHECK(first.seconds.at("readBack") > readBefore);
+      CHECK(session->film().hash() == hash);
+      const render::RenderStatistics second = session->statistics();
+      CHECK(second.seconds.at("readBack") == first.seconds.at("readBack"));
+      requireEqualCounts(second, first);
+      readBefore = first.seconds.at("readBack");
+    }
+  }
+}
+
 TEST_CASE("films of two ranges add up to the film of both", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   onAllRenderers([&](render::Renderer& renderer) {

@@ -138,6 +138,18 @@ TEST_CASE("the device counts the current and the maximum bytes of buffers") {
   CHECK(device.memoryUse().peakBytes == 1500);
 }
 
+TEST_CASE("freed buffers in system memory no longer count") {
+  MemoryTally tally;
+  tally.add(300, true);
+  tally.add(70, false);
+  CHECK(tally.use().systemBytes == 300);
+  tally.remove(300, true);
+  tally.add(40, true);
+  CHECK(tally.use().systemBytes == 40);
+  CHECK(tally.use().currentBytes == 110);
+  CHECK(tally.use().peakBytes == 370);
+}
+
 TEST_CASE("a buffer outlives the handle of its device") {
   const Buffer buffer = [] {
     Device device = openTestDevice();
