@@ -1,5 +1,6 @@
 // `candela conformance` as a newcomer uses it, without a device.
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "tests/cli/run_program.h"
 
@@ -32,6 +33,19 @@ TEST_CASE("conformance runs the cases of all patterns, each once, and each patte
   const ProgramResult refused = runConformance({"--list", "--cases", "nothing.*", "--cases", sums});
   CHECK(refused.exitCode == 1);
   CHECK(contains(refused.err, "--cases nothing.*: no case has such a name"));
+}
+
+TEST_CASE("the page of the cases lists all names") {
+  const std::string page = readText(std::string(CANDELA_SOURCE_DIR) + "/docs/conformance-cases.md");
+  std::istringstream names(runConformance({"--list"}).out);
+  std::size_t count = 0;
+  for (std::string name; std::getline(names, name); ++count) {
+    INFO(name);
+    CHECK(contains(page, "\n| `" + name + "` |"));
+  }
+  std::size_t rows = 0;
+  for (std::size_t at = page.find("\n| `"); at != std::string::npos; at = page.find("\n| `", at + 1)) ++rows;
+  CHECK(rows == count);
 }
 
 TEST_CASE("a baseline with a name that no case has causes a warning") {
