@@ -103,6 +103,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--time-limit", "TIME", "none", Command::verify},
       {"--junit", "FILE", ""},
       {"--explain", "", ""},
+      {"--device", "N|SUBSTRING", "all", Command::devices},
       {"--cases", "GLOB", ""},
       {"--variants", "", ""},
       {"--list", "", ""},
