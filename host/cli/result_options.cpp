@@ -23,7 +23,7 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
+    valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}; `id` and `material` are short names of the last two, and `all` means every layer", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.request.settings.image.layers; }),
     valued({"--display-server", kRender, kGroup, "show the image, while it is rendered, in the viewer tev at this address (tev's default port: 14158)"},
            orAbsent(serverAddress(), "none"), [](auto& a) -> auto& { return a.displayServer; }),

@@ -224,6 +224,17 @@ TEST_CASE("an option prints the value that it was given") {
   }
 }
 
+TEST_CASE("mattes have short names, and all layers have one") {
+  Arguments arguments;
+  const auto layersOf = [&](const char* list) {
+    REQUIRE(find("--aov").apply(arguments, list));
+    return find("--aov").show(arguments).back();
+  };
+  CHECK(layersOf("id,material,normal") == "normal,crypto-object,crypto-material");
+  CHECK(layersOf("all") == fmt::format("{}", fmt::join(image::layerNames(), ",")));
+  CHECK_FALSE(find("--aov").apply(arguments, "all,ids"));
+}
+
 TEST_CASE("the curve pbr-neutral has a second name") {
   Arguments arguments;
   REQUIRE(find("--tonemap").apply(arguments, "neutral"));
