@@ -189,6 +189,8 @@ void defineFilm(py::module_& module) {
             helpOf(kDenoiseOptions))
                .c_str())
       .def("_repr_png_", &png)
+      .def("__copy__", [](const Film& film) { return film; })
+      .def("__deepcopy__", [](const Film& film, const py::dict&) { return film; })
       .def("__repr__", &filmText);
   module.def("open_film", &open, py::arg("file"), py::pos_only(), "open_film(file, /) -> Film\n\nReads a film file.");
   module.def(
