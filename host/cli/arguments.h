@@ -86,6 +86,7 @@ struct Arguments {
   std::vector<std::filesystem::path> outputs;
   std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
   bool denoise = false;  ///< of a render: its images are denoised, and its films have the sums that this needs
+  bool denoisesByOidn = false;
   image::DisplayTransform display;
   std::optional<float>
       exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: computed from the image

@@ -112,6 +112,9 @@ std::string keywordOf(const cli::Option& option) {
 }
 
 void addFlag(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+  if (option.name() == "--denoise" && py::isinstance<py::str>(value)) {
+    return words.push_back(option.name() + "=" + wordOf(value));
+  }
   if (!isBoolean(value)) {
     throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", option.name(), wordOf(value)));
   }

@@ -44,7 +44,8 @@ cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, con
   arguments.display = given.display;
   arguments.exposure = given.exposure;
   if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
-  if (options.contains("denoise") && !options["denoise"].is_none()) arguments.denoise = given.denoise;
+  if (options.contains("denoise") && !options["denoise"].is_none())
+    std::tie(arguments.denoise, arguments.denoisesByOidn) = std::tie(given.denoise, given.denoisesByOidn);
   if (given.given.contains("--device")) arguments.device = given.device;
   arguments.noCache = arguments.noCache || given.noCache;
   return arguments;

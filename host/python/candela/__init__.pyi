@@ -123,7 +123,7 @@ class Film:
         checkpoint: _Path | None = None,
         tonemap: Literal["none", "srgb", "aces", "aces-hill", "agx", "pbr-neutral", "neutral"] | None = None,
         exposure: float | Literal["auto"] | None = None,
-        denoise: _Flag | None = None,
+        denoise: _Flag | Literal["oidn"] | None = None,
         device: str | int | None = None,
         no_cache: _Flag | None = None,
     ) -> None: ...
@@ -180,7 +180,7 @@ class Session:
         threads: _Count | None = None,
         aovs: Sequence[_LayerChoice] | str | None = None,
         aov_through_specular: _Flag | None = None,
-        denoise: _Flag | None = None,
+        denoise: _Flag | Literal["oidn"] | None = None,
     ) -> None: ...
     def advance(self, samples: SupportsIndex | range | None = None, *, progress: _Progress | None = None) -> None: ...
     def reset(self, seed: SupportsIndex) -> None: ...
@@ -292,7 +292,7 @@ def render(
     aovs: Sequence[_LayerChoice] | str | None = None,
     aov_through_specular: _Flag | None = None,
     noise_threshold: float | Literal["off"] | None = None,
-    denoise: _Flag | None = None,
+    denoise: _Flag | Literal["oidn"] | None = None,
 ) -> Film: ...
 def open_film(file: _Path, /) -> Film: ...
 def merge(files: Iterable[_Path], /, *, mixed_devices: _Flag | None = None, partial: _Flag | None = None) -> Film: ...
