@@ -8,7 +8,7 @@ usage() {
 Usage: ./run.sh [--device SELECTOR] [--quick | --full] [-o FOLDER]
 
   --device SELECTOR  index or part of the name of a device in `./candela devices` (default: the best GPU)
-  --quick, --full    small or large images (default: small images if every device is a software device)
+  --quick, --full    small or large images (default: small images if the device is a software device)
   -o FOLDER          folder for the results, which is created (default: results)
 END
 }
@@ -58,14 +58,24 @@ trap interrupted HUP INT TERM
 export CANDELA_CACHE_DIR="$work/cache"
 candela() { "$kit/candela" "$@"; }
 
-# The device, without results if there is none.
+# All devices, without results if there is none.
 if ! candela devices --json "$work/devices.json" > /dev/null; then
   echo "run.sh: the Vulkan devices cannot be listed. \`$kit/candela doctor\` says why." >&2
   exit 4
 fi
+# The one device that all steps use, without results if it does not exist or cannot be used.
+if [ -z "$device" ]; then
+  device=$(awk '/"index":/ { gsub(/[^0-9]/, ""); at = $0 } /"default": true/ { print at }' "$work/devices.json")
+fi
+if [ -n "$device" ]; then
+  candela devices --device "$device" --json "$work/device.json" > /dev/null || exit
+else
+  echo "run.sh: no Vulkan device is usable. \`$kit/candela doctor\` says why." >&2
+  exit 4
+fi
 if [ -z "$size" ]; then
   size=quick
-  if grep -q '"type": ".*GPU"' "$work/devices.json"; then size=full; fi
+  if grep -q '"type": ".*GPU"' "$work/device.json"; then size=full; fi
 fi
 patience=1
 if [ "$size" = full ]; then
@@ -74,6 +84,12 @@ else
   pixels=128x128 spp=4 verify_size=64x64 patience=4  # times as long may a step take
 fi
 
+# Prints the first line of an error: the program's, else that of another one, such as a driver.
+cause() {
+  line=$(sed -n 's/^candela: //p' "$1" | head -n 1)
+  printf '%s' "${line:-$(head -n 1 "$1")}"
+}
+
 # step NAME SECONDS ARGUMENT...: runs the program for at most SECONDS times $patience, with the report $work/NAME.json.
 step() {
   name=$1
@@ -81,7 +97,7 @@ step() {
   shift 2
   printf '%s ... ' "$name"
   started=$(date +%s)
-  timeout --kill-after=10 "$limit" "$kit/candela" "$@" ${device:+--device "$device"} --json "$work/$name.json" > "$work/$name.txt" 2>&1 &
+  timeout --kill-after=10 "$limit" "$kit/candela" "$@" --device "$device" --quiet --json "$work/$name.json" > /dev/null 2> "$work/$name.err" &
   running=$!
   wait "$running"
   code=$?
@@ -91,7 +107,7 @@ step() {
     0) echo "done ($seconds s)" ;;
     3) echo "differences found ($seconds s)" ;;
     124 | 137) echo "not finished after $limit s" ;;
-    *) echo "failed with exit code $code: $(tail -n 1 "$work/$name.txt")" ;;
+    *) echo "failed with exit code $code: $(cause "$work/$name.err")" ;;
   esac
   steps="${steps:+$steps, }{\"name\": \"$name\", \"exitCode\": $code, \"seconds\": $seconds}"
 }
@@ -111,7 +127,7 @@ json_text() { printf '"%s"' "$(printf '%s' "$1" | tr -d '\000-\037' | sed 's/[\\
 
 steps=
 skips=
-if grep -q SwiftShader "$work/devices.json"; then skips="$kit/baselines/swiftshader-skips.txt"; fi
+if grep -q '"name": ".*SwiftShader' "$work/device.json"; then skips="$kit/baselines/swiftshader-skips.txt"; fi
 step conformance 240 conformance ${skips:+--skips "$skips"}
 for scene in cornell balls primitives; do
   step "verify-$scene" 120 verify "$kit/scenes/$scene.p3f" --size $verify_size --untuned --time-limit 30s

@@ -49,16 +49,16 @@ struct PixelPosition {
 
 /// The cases that `candela conformance` runs, and the files with its expectations.
 struct ConformanceArguments {
-  bool variants = false;                 ///< the cases are kernels against variants of them
-  bool list = false;                     ///< print the names of the cases, and run none
-  std::string cases = "*";               ///< pattern of their names
-  conformance::PictureTest pictures;     ///< how cases that render pictures are tested
-  std::optional<std::uint32_t> jobs;     ///< child processes at a time; empty: one per core
-  std::optional<std::uint32_t> shuffle;  ///< seed of the order; empty: the order of the list
-  double timeout = 60;                   ///< for each case, in seconds
-  std::filesystem::path baseline;        ///< empty: every case is expected to pass
-  std::filesystem::path skips;
-  std::filesystem::path flakes;
+  bool variants = false;                         ///< the cases are kernels against variants of them
+  bool list = false;                             ///< print the names of the cases, and run none
+  std::vector<std::string> cases;                ///< patterns of their names; empty: all
+  conformance::PictureTest pictures;             ///< how cases that render pictures are tested
+  std::optional<std::uint32_t> jobs;             ///< child processes at a time; empty: one per core
+  std::optional<std::uint32_t> shuffle;          ///< seed of the order; empty: the order of the list
+  double timeout = 60;                           ///< for each case, in seconds
+  std::vector<std::filesystem::path> baselines;  ///< empty: every case is expected to pass
+  std::vector<std::filesystem::path> skips;
+  std::vector<std::filesystem::path> flakes;
   std::string csv;                 ///< like `Arguments::json`
   std::filesystem::path captures;  ///< folder for captures of cases that fail; empty for none
 };
@@ -86,6 +86,7 @@ struct Arguments {
   std::vector<std::filesystem::path> outputs;
   std::optional<ServerAddress> displayServer;  ///< that shows the image of a render while it is computed
   bool denoise = false;  ///< of a render: its images are denoised, and its films have the sums that this needs
+  bool denoisesByOidn = false;
   image::DisplayTransform display;
   std::optional<float>
       exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: computed from the image

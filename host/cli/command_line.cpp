@@ -116,6 +116,21 @@ std::vector<std::string> reversedWords(std::span<const std::string> words) {
   return reversed;
 }
 
+// CLI11 accepts the value of a flag only in the same word.
+std::vector<std::string> withJoinedFlags(std::span<const std::string> words) {
+  std::vector<std::string> joined;
+  bool areOptions = true;
+  for (const std::string& word : words) {
+    areOptions = areOptions && word != "--";
+    if (areOptions && word == kOidn && !joined.empty() && joined.back() == "--denoise") {
+      joined.back() += "=" + word;
+    } else {
+      joined.push_back(word);
+    }
+  }
+  return joined;
+}
+
 void split(std::span<const std::string> words, Arguments& arguments) {
   CLI::App app;
   app.set_help_flag();
@@ -126,7 +141,7 @@ void split(std::span<const std::string> words, Arguments& arguments) {
   }
   app.add_option("files", arguments.files);
 
-  std::vector<std::string> reversed = reversedWords(words);
+  std::vector<std::string> reversed = reversedWords(withJoinedFlags(words));
   try {
     app.parse(reversed);
   } catch (const CLI::ArgumentMismatch& error) {

@@ -27,18 +27,20 @@ namespace {
 using conformance::CaseResult;
 using conformance::Cases;
 
-[[noreturn]] void refuseNames(const ConformanceArguments& arguments) {
-  const bool needsVariants = !arguments.variants && arguments.cases.rfind("variants.", 0) == 0;
+[[noreturn]] void refuseNames(const std::string& pattern, const ConformanceArguments& arguments) {
+  const bool needsVariants = !arguments.variants && pattern.starts_with("variants.");
   throw UsageError(fmt::format("--cases {}: no case has such a name{}; `candela conformance{} --list` prints all names",
-                               arguments.cases, needsVariants ? " without --variants" : "",
+                               pattern, needsVariants ? " without --variants" : "",
                                needsVariants || arguments.variants ? " --variants" : ""));
 }
 
 Cases chosenCases(const ConformanceArguments& arguments) {
   const Cases all = arguments.variants ? conformance::variantCases() : conformance::allCases(arguments.pictures);
-  Cases chosen = conformance::casesNamed(all, arguments.cases);
-  if (chosen.empty()) refuseNames(arguments);
-  return chosen;
+  if (arguments.cases.empty()) return all;
+  for (const std::string& pattern : arguments.cases) {
+    if (conformance::casesNamed(all, {pattern}).empty()) refuseNames(pattern, arguments);
+  }
+  return conformance::casesNamed(all, arguments.cases);
 }
 
 void printNames(const Cases& cases) {
@@ -56,26 +58,37 @@ vulkan::DeviceInfo deviceFor(const std::string& selector) {
   return vulkan::chooseDevice(listed.devices, selector);
 }
 
-conformance::RunOptions optionsFrom(const ConformanceArguments& arguments) {
-  conformance::RunOptions options;
-  options.jobs = arguments.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
-  options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeout * 1000));
-  options.shuffle = arguments.shuffle;
-  options.expectations = {conformance::readBaseline(arguments.baseline), conformance::readPatterns(arguments.skips),
-                          conformance::readPatterns(arguments.flakes)};
-  return options;
-}
-
 // A mistyped name in a baseline would be ignored silently. Cases of the other list are known, too.
-void warnOfUnknownCases(const ConformanceArguments& arguments, const conformance::Baseline& baseline, const Log& log) {
+void warnOfUnknownCases(const std::filesystem::path& file, const conformance::Baseline& baseline, const Log& log) {
   std::vector<std::string> names;
   for (const Cases& cases : {conformance::allCases(), conformance::variantCases()}) {
     for (const conformance::Case& one : cases) names.push_back(one.name);
   }
   for (const auto& [name, status] : baseline) {
     if (std::ranges::find(names, name) != names.end()) continue;
-    log.warning(fmt::format("{}: there is no case {}{}", arguments.baseline.string(), name, didYouMean(name, names)));
+    log.warning(fmt::format("{}: there is no case {}{}", file.string(), name, didYouMean(name, names)));
   }
+}
+
+conformance::Expectations readExpectations(const ConformanceArguments& arguments, const Log& log) {
+  conformance::Expectations expectations;
+  for (const std::filesystem::path& file : arguments.baselines) {
+    const conformance::Baseline baseline = conformance::readBaseline(file);
+    warnOfUnknownCases(file, baseline, log);
+    conformance::addBaseline(baseline, file.string(), expectations.baseline);
+  }
+  for (const std::filesystem::path& file : arguments.skips) expectations.skips.add(conformance::readPatterns(file));
+  for (const std::filesystem::path& file : arguments.flakes) expectations.flakes.add(conformance::readPatterns(file));
+  return expectations;
+}
+
+conformance::RunOptions optionsFrom(const ConformanceArguments& arguments, const Log& log) {
+  conformance::RunOptions options;
+  options.jobs = arguments.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeout * 1000));
+  options.shuffle = arguments.shuffle;
+  options.expectations = readExpectations(arguments, log);
+  return options;
 }
 
 // Results that are expected appear only with --verbose.
@@ -101,8 +114,7 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
     return ExitCode::done;
   }
   requireWritableOutputs(arguments);
-  conformance::RunOptions options = optionsFrom(arguments.conformance);
-  warnOfUnknownCases(arguments.conformance, options.expectations.baseline, log);
+  conformance::RunOptions options = optionsFrom(arguments.conformance, log);
   const bool asText = arguments.wantsText() && arguments.junit != "-" && arguments.conformance.csv != "-";
   options.note = [&](const CaseResult& result) {
     if (asText && isWorthALine(result, log)) std::cout << lineOf(result) << std::flush;

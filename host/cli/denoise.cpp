@@ -22,6 +22,7 @@ void requireStatisticsOf(const film::FilmReader& reader, const image::Film& film
 }  // namespace
 
 ExitCode runDenoise(const Arguments& arguments, const Log& log) {
+  requireDenoisable(arguments);
   if (arguments.outputs.empty()) throw UsageError("no output given: name an image file with -o FILE");
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   film::FilmReader reader(arguments.files.front());

@@ -8,6 +8,7 @@
 #include "host/core/errors.h"
 #include "host/denoise/denoise.h"
 #include "host/denoise/device_filter.h"
+#include "host/denoise/oidn.h"
 #include "host/denoise/reference_filter.h"
 
 namespace candela::cli {
@@ -30,9 +31,20 @@ std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics
   }
 }
 
+// A finished render is not lost with the library, either. Returns false, with a warning, if it fails.
+bool denoiseByOidn(image::Image& image, const image::Film& film, const Log& log) try {
+  denoise::denoiseByOidn(image, film);
+  addBias(image.metadata, "denoised by a neural network");
+  return true;
+} catch (const NoDeviceError& error) {
+  log.warning(fmt::format("{}; the image is denoised by the statistics of its pixels instead", error.what()));
+  return false;
+}
+
 }  // namespace
 
 void requireDenoisable(const Arguments& arguments) {
+  if (arguments.denoisesByOidn) denoise::requireOidn();
   if (!arguments.denoise || arguments.request.settings.image.integrator == render::Integrator::path) return;
   throw UsageError("--denoise: only the path tracer has the statistics that it needs; use --integrator path");
 }
@@ -48,6 +60,7 @@ Arguments withDenoiseLayers(Arguments arguments) {
 }
 
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
+  if (arguments.denoisesByOidn && denoiseByOidn(image, film, log)) return;
   denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
     return arguments.usesReference() ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
   });

@@ -6,16 +6,18 @@
 
 namespace candela::cli {
 
-/// Throws UsageError if --denoise is given for a render whose film has no statistics of light: before the scene is
-/// read, by its integrator, and afterwards, by its number of samples.
+/// Throws NoDeviceError if Open Image Denoise is requested and missing, and UsageError if --denoise is given for a
+/// render whose film has no statistics of light: before the scene is read, by its integrator, and afterwards, by its
+/// number of samples.
 void requireDenoisable(const Arguments& arguments);
 void requireDenoisable(const RenderJob& job);
 
 /// Returns `arguments` with the layers that --denoise needs.
 Arguments withDenoiseLayers(Arguments arguments);
 
-/// Denoises the image of a film: by the reference with --device cpu, else by a Vulkan device; if that is lost or runs
-/// out of memory, by the reference, with a warning. Throws UsageError if the film lacks statistics, and NoDeviceError.
+/// Denoises the image of a film: by Open Image Denoise if it is requested; by the reference with --device cpu, else by
+/// a Vulkan device; if that is lost or runs out of memory, by the reference, with a warning. Throws UsageError if the
+/// film lacks statistics, and NoDeviceError.
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log);
 
 /// Denoises the image of a render as denoiseImage() does. The image of a render that was interrupted before any pixel

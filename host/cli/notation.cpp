@@ -18,6 +18,24 @@ std::optional<std::uint32_t> parseWhole(std::string_view word, std::uint32_t low
   return value;
 }
 
+// Short names of the mattes.
+constexpr std::array<std::pair<std::string_view, image::Layer>, 2> kLayerAliases{
+    {{"id", image::Layer::cryptoObject}, {"material", image::Layer::cryptoMaterial}}};
+constexpr std::string_view kAllLayers = "all";
+
+// Returns the layer of a name, or all layers; none if there is no such name.
+image::LayerSet layersNamed(std::string_view name) {
+  const std::span<const std::string_view> names = image::layerNames();
+  image::LayerSet layers;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (name == kAllLayers || name == names[i]) layers.add(static_cast<image::Layer>(i));
+  }
+  for (const auto& [alias, layer] : kLayerAliases) {
+    if (name == alias) layers.add(layer);
+  }
+  return layers;
+}
+
 }  // namespace
 
 Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest) {
@@ -132,24 +150,23 @@ Notation<render::Window> window(std::uint32_t highest) {
 }
 
 Notation<image::LayerSet> layerList() {
-  const std::span<const std::string_view> names = image::layerNames();
-  const auto parse = [names](const std::string& word) -> std::optional<image::LayerSet> {
+  std::vector<std::string> words{image::layerNames().begin(), image::layerNames().end()};
+  for (const auto& [alias, layer] : kLayerAliases) words.emplace_back(alias);
+  words.emplace_back(kAllLayers);
+  const auto parse = [](const std::string& word) -> std::optional<image::LayerSet> {
     image::LayerSet layers;
     if (word == "none") return layers;
     for (std::size_t first = 0; first <= word.size();) {
       const std::size_t end = std::min(word.find(',', first), word.size());
-      const auto place = std::ranges::find(names, std::string_view(word).substr(first, end - first));
-      if (place == names.end()) return std::nullopt;
-      layers.add(static_cast<image::Layer>(place - names.begin()));
+      const image::LayerSet named = layersNamed(std::string_view(word).substr(first, end - first));
+      if (named.isEmpty()) return std::nullopt;
+      layers.bits |= named.bits;
       first = end + 1;
     }
     return layers;
   };
-  return {"LAYERS",
-          fmt::format("layers separated by commas, among {}", fmt::join(names, ", ")),
-          parse,
-          image::layerText,
-          {names.begin(), names.end()}};
+  return {"LAYERS", fmt::format("layers separated by commas, among {}", fmt::join(words, ", ")), parse,
+          image::layerText, words};
 }
 
 Notation<ServerAddress> serverAddress() {

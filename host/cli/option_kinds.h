@@ -57,10 +57,10 @@ Option path(const Row& row, const char* metavar, Get get) {
   return option;
 }
 
-/// Paths; the option may be repeated.
+/// A list of words or paths; the option may be repeated.
 template <class Get>
-Option paths(const Row& row, const char* metavar, Get get) {
-  Option option{row.names, row.commands, row.group, row.help, metavar, "a path", "", {}, {}};
+Option list(const Row& row, const char* metavar, const char* expected, Get get) {
+  Option option{row.names, row.commands, row.group, row.help, metavar, expected, "", {}, {}};
   option.apply = [=](Arguments& arguments, const std::string& word) {
     get(arguments).emplace_back(word);
     return !word.empty();
@@ -70,6 +70,12 @@ Option paths(const Row& row, const char* metavar, Get get) {
     return std::vector<std::string>(all.begin(), all.end());
   };
   return option;
+}
+
+/// Paths; the option may be repeated.
+template <class Get>
+Option paths(const Row& row, const char* metavar, Get get) {
+  return list(row, metavar, "a path", get);
 }
 
 }  // namespace candela::cli

@@ -28,6 +28,9 @@ enum class OptionGroup {
   general
 };
 
+/// The value of --denoise for Open Image Denoise.
+inline constexpr const char* kOidn = "oidn";
+
 struct Option {
   std::string names;  ///< e.g. "-t,--threads"
   unsigned commands;  ///< commands that have the option, a sum of Command values

@@ -15,6 +15,7 @@
 #include "host/image/false_colour.h"
 #include "host/scene/object_names.h"
 #include "host/verify/film_test.h"
+#include "host/view/camera_text.h"
 
 namespace candela::cli {
 namespace {
@@ -65,6 +66,11 @@ Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
   if (const auto threshold = header.settings.find("noise-threshold"); threshold != header.settings.end())
     addBias(metadata, adaptiveBiasText(threshold->second));
   return metadata;
+}
+
+void addMovedCamera(const scene::Camera& camera, const scene::Camera& ofFile, Metadata& metadata) {
+  const std::string text = view::cameraText(camera);
+  if (text != view::cameraText(ofFile)) metadata["candela.camera"] = text;
 }
 
 image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata) {

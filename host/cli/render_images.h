@@ -17,6 +17,9 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result);
 /// Returns the same from the header of a film file.
 Metadata metadataOf(const film::FilmHeader& header, const image::Film& film);
 
+/// Adds the view as text (see view::cameraText) if it is not that of the scene file.
+void addMovedCamera(const scene::Camera& camera, const scene::Camera& ofFile, Metadata& metadata);
+
 /// Returns the means of a film with these metadata, and with alpha if the film has it.
 image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata);
 

@@ -14,6 +14,22 @@ const std::vector<std::pair<std::string, image::ToneMap>> kToneMaps{
 const std::vector<std::pair<std::string, verify::LightTestMethod>> kLightTests{
     {"paired", verify::LightTestMethod::paired}, {"independent", verify::LightTestMethod::independent}};
 
+// A flag with an optional value.
+Option denoiseFlag(const Row& row) {
+  Option option = flag(
+      row, [](auto& a) -> auto& { return a.denoise; });
+  option.expected = "no value or oidn";
+  option.apply = [](Arguments& arguments, const std::string& word) {
+    arguments.denoise = true;
+    arguments.denoisesByOidn = word == kOidn;
+    return word == "true" || arguments.denoisesByOidn;
+  };
+  option.show = [](const Arguments& arguments) {
+    return std::vector<std::string>(arguments.denoise ? 1 : 0, arguments.denoisesByOidn ? kOidn : "on");
+  };
+  return option;
+}
+
 }  // namespace
 
 // NOLINTBEGIN: each option is one row of any length.
@@ -23,12 +39,12 @@ std::vector<Option> outputOptions() {
   return {
     paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}", fmt::join(image::layerNames(), ", "))},
+    valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}; `id` and `material` are short names of the last two, and `all` means every layer", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.request.settings.image.layers; }),
     valued({"--display-server", kRender, kGroup, "show the image, while it is rendered, in the viewer tev at this address (tev's default port: 14158)"},
            orAbsent(serverAddress(), "none"), [](auto& a) -> auto& { return a.displayServer; }),
-    flag({"--denoise", kRender, kGroup, "denoise the images by the statistics of their pixels; the film of --checkpoint is stored without denoising, with the sums that `candela denoise` needs"},
-         [](auto& a) -> auto& { return a.denoise; }),
+    denoiseFlag({"--denoise", kRender, kGroup, "denoise the images by the statistics of their pixels, or with `--denoise oidn` by Open Image Denoise, if it is installed; the film of --checkpoint is stored without denoising, with the sums that `candela denoise` needs"}),
+    denoiseFlag({"--denoise", kDenoise, kGroup, "`--denoise oidn`: by Open Image Denoise instead of the statistics of pixels"}),
     valued({"--tonemap", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "tone curve of 8-bit files and of FLIP; `none`: linear, clipped; without this option, the integrators `depth` and `cost` use false colours"},
            choice(kToneMaps), [](auto& a) -> auto& { return a.display.toneMap; }),
     valued({"--exposure", kRender | kCompare | kFilm | kDenoise | kView, kGroup, "exposure of 8-bit files and of FLIP in stops; each stop doubles the brightness; `auto`: the image's geometric mean becomes 0.18"},

@@ -60,8 +60,10 @@ std::vector<Output> outputsOf(const Arguments& arguments) {
 
 /// Returns the files that the command line names for reading, without a film that the render resumes and replaces.
 std::vector<fs::path> inputsOf(const Arguments& arguments) {
-  std::vector<fs::path> inputs{arguments.conformance.baseline, arguments.conformance.skips,
-                               arguments.conformance.flakes};
+  const ConformanceArguments& conformance = arguments.conformance;
+  std::vector<fs::path> inputs;
+  for (const auto& files : {conformance.baselines, conformance.skips, conformance.flakes})
+    inputs.insert(inputs.end(), files.begin(), files.end());
   if (arguments.command != Command::generate)
     inputs.insert(inputs.end(), arguments.files.begin(), arguments.files.end());
   std::vector<fs::path> films;

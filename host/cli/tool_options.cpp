@@ -70,6 +70,8 @@ std::vector<Option> generalOptions() {
     flag({"--stats", kRender, kGroup, "print times, numbers of rays and the settings in use to stdout"}, [](auto& a) -> auto& { return a.printStatistics; }),
     valued({"--json", kReporting, kGroup, "write the report as JSON; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.json; }),
+    valued({"--device", kDevices, kGroup, "for `candela devices`: list one device alone, by its index or a part of its name"},
+           text("N|SUBSTRING", "a device", "all"), [](auto& a) -> auto& { return a.device; }),
     flag({"--strict", kRender | kCompare | kVerify, kGroup, "exit with code 3 if a sample is not finite, negative or too bright; files are still written"},
          [](auto& a) -> auto& { return a.strict; }),
     path({"--report", kCompare | kVerify, kGroup, "write an HTML page with the images, maps of their differences, figures and the verdict"}, "FILE",

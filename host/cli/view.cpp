@@ -86,14 +86,15 @@ class ViewedScene {
     sessions.deviceName = device.info().name;
   }
 
-  void save(const std::filesystem::path& file, const view::Sessions& sessions, const image::Film& film,
-            const render::RenderStatistics& statistics, const view::Choice& choice,
+  void save(const std::filesystem::path& file, const view::Sessions& sessions, const scene::Camera& camera,
+            const image::Film& film, const render::RenderStatistics& statistics, const view::Choice& choice,
             const image::DisplayTransform& display) {
     requireSavable(file);
     render::requireComplete(statistics);
     const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
-    const image::Image image = pictureOf(film, job.settings().image.hasAlpha(),
-                                         metadataOf(job, {film, statistics, isPartial(film, job), {}}));
+    Metadata metadata = metadataOf(job, {film, statistics, isPartial(film, job), {}});
+    addMovedCamera(camera, *sessions.scene->camera, metadata);
+    const image::Image image = pictureOf(film, job.settings().image.hasAlpha(), std::move(metadata));
     writeImage(file, image, display);
   }
 

@@ -3,6 +3,7 @@
 
 #include <fnmatch.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace candela::conformance {
@@ -16,10 +17,11 @@ Cases allCases(const PictureTest& test) {
   return all;
 }
 
-Cases casesNamed(const Cases& cases, const std::string& glob) {
+Cases casesNamed(const Cases& cases, const std::vector<std::string>& globs) {
   Cases chosen;
   for (const Case& one : cases) {
-    if (::fnmatch(glob.c_str(), one.name.c_str(), 0) == 0) chosen.push_back(one);
+    const auto matches = [&](const std::string& glob) { return ::fnmatch(glob.c_str(), one.name.c_str(), 0) == 0; };
+    if (std::ranges::any_of(globs, matches)) chosen.push_back(one);
   }
   return chosen;
 }

@@ -27,7 +27,7 @@ Cases allCases(const PictureTest& test = {});
 /// Kernels, compared with variants of them that must compute the same: `candela conformance --variants`.
 Cases variantCases();
 
-/// Returns the cases of `cases` whose name matches `glob`, a pattern with *, ? and [...] as in a shell.
-Cases casesNamed(const Cases& cases, const std::string& glob);
+/// Returns the cases of `cases` whose name matches any of `globs`, patterns with *, ? and [...] as in a shell.
+Cases casesNamed(const Cases& cases, const std::vector<std::string>& globs);
 
 }  // namespace candela::conformance

@@ -31,7 +31,7 @@ void forEachLine(const std::string& text, const std::function<void(const std::st
 }
 
 std::string contentOf(const std::filesystem::path& file) {
-  return file.empty() ? "" : readInputFile(file, kMaxFileBytes, InputKind::regularFileOrPipe);
+  return readInputFile(file, kMaxFileBytes, InputKind::regularFileOrPipe);
 }
 
 }  // namespace
@@ -58,6 +58,13 @@ Baseline parseBaseline(const std::string& text, const std::string& fileName) {
 
 Baseline readBaseline(const std::filesystem::path& file) { return parseBaseline(contentOf(file), file.string()); }
 
+void addBaseline(const Baseline& baseline, const std::string& fileName, Baseline& all) {
+  for (const auto& [name, status] : baseline) {
+    if (all.emplace(name, status).first->second == status) continue;
+    throw FileError(fmt::format("{}: another baseline expects another result of {}", fileName, name));
+  }
+}
+
 NamePatterns::NamePatterns(const std::string& text, const std::string& fileName) {
   forEachLine(text, [&](const std::string& line, std::size_t number) {
     try {
@@ -70,6 +77,10 @@ NamePatterns::NamePatterns(const std::string& text, const std::string& fileName)
 
 bool NamePatterns::match(const std::string& name) const {
   return std::ranges::any_of(expressions_, [&](const std::regex& e) { return std::regex_search(name, e); });
+}
+
+void NamePatterns::add(const NamePatterns& other) {
+  expressions_.insert(expressions_.end(), other.expressions_.begin(), other.expressions_.end());
 }
 
 NamePatterns readPatterns(const std::filesystem::path& file) { return {contentOf(file), file.string()}; }

@@ -18,8 +18,10 @@ using Baseline = std::map<std::string, Status, std::less<>>;
 /// Reads lines `case,Result` or `case,Result,seconds`; empty lines and lines that start with # are ignored. Throws
 /// FileError with the line for any other line, an unknown result, and a case that occurs twice.
 Baseline parseBaseline(const std::string& text, const std::string& fileName);
-/// Reads the file; an empty path gives an empty baseline. Throws FileError.
+/// Reads the file. Throws FileError.
 Baseline readBaseline(const std::filesystem::path& file);
+/// Adds the results of the file `fileName` to `all`. Throws FileError if `all` has another result of one of its cases.
+void addBaseline(const Baseline& baseline, const std::string& fileName, Baseline& all);
 
 /// Regular expressions. A name matches if any of them occurs anywhere in it.
 class NamePatterns {
@@ -29,12 +31,13 @@ class NamePatterns {
   /// line.
   NamePatterns(const std::string& text, const std::string& fileName);
   bool match(const std::string& name) const;
+  void add(const NamePatterns& other);
 
  private:
   std::vector<std::regex> expressions_;
 };
 
-/// Reads the file; an empty path gives no patterns. Throws FileError.
+/// Reads the file. Throws FileError.
 NamePatterns readPatterns(const std::filesystem::path& file);
 
 struct Expectations {

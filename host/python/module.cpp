@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 
 #include "host/core/version.h"
+#include "host/python/device_function.h"
 #include "host/python/errors.h"
 #include "host/python/python_film.h"
 #include "host/python/python_scene.h"
@@ -16,6 +17,7 @@ PYBIND11_MODULE(_candela, module) {
   translateErrors();
   waitForCallsAtExit();
   module.attr("__version__") = candela::versionText();
+  defineDevices(module);
   defineScene(module);
   defineFilm(module);
   defineRender(module);

@@ -55,9 +55,15 @@ namespace {
 constexpr const char* kLayerOption = "--aov";
 constexpr const char* kLayerKeyword = "aovs";
 
-// Texts of any option may be names of files, as those of --env are.
+// Returns whether a value is a floating-point number, of Python or NumPy, without a fraction.
+bool isWholeFloat(const py::handle& value) {
+  return PyIndex_Check(value.ptr()) == 0 && py::hasattr(value, "is_integer") && py::bool_(value.attr("is_integer")());
+}
+
+// Texts of any option may be names of files, as those of --env are. Options of whole numbers accept 4.0.
 std::string wordOf(const py::handle& value) {
-  return isFileName(value) ? fileOf("", value).string() : std::string(py::str(value));
+  if (isFileName(value)) return fileOf("", value).string();
+  return isWholeFloat(value) ? py::str(py::int_(py::reinterpret_borrow<py::object>(value))) : py::str(value);
 }
 
 // NumPy's truth values are not those of Python.
@@ -106,6 +112,9 @@ std::string keywordOf(const cli::Option& option) {
 }
 
 void addFlag(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+  if (option.name() == "--denoise" && py::isinstance<py::str>(value)) {
+    return words.push_back(option.name() + "=" + wordOf(value));
+  }
   if (!isBoolean(value)) {
     throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", option.name(), wordOf(value)));
   }

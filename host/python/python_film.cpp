@@ -44,7 +44,8 @@ cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, con
   arguments.display = given.display;
   arguments.exposure = given.exposure;
   if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
-  if (options.contains("denoise") && !options["denoise"].is_none()) arguments.denoise = given.denoise;
+  if (options.contains("denoise") && !options["denoise"].is_none())
+    std::tie(arguments.denoise, arguments.denoisesByOidn) = std::tie(given.denoise, given.denoisesByOidn);
   if (given.given.contains("--device")) arguments.device = given.device;
   arguments.noCache = arguments.noCache || given.noCache;
   return arguments;
@@ -189,6 +190,8 @@ void defineFilm(py::module_& module) {
             helpOf(kDenoiseOptions))
                .c_str())
       .def("_repr_png_", &png)
+      .def("__copy__", [](const Film& film) { return film; })
+      .def("__deepcopy__", [](const Film& film, const py::dict&) { return film; })
       .def("__repr__", &filmText);
   module.def("open_film", &open, py::arg("file"), py::pos_only(), "open_film(file, /) -> Film\n\nReads a film file.");
   module.def(

@@ -36,6 +36,7 @@ Engine::~Engine() {
 void Engine::loop() {
   while (!inbox_.isEnded()) {
     if (!guarded([this] { iterate(); })) hasFailed_ = true;  // otherwise it would fail repeatedly
+    if (hasFailed_) pendingSave_.reset();
   }
 }
 
@@ -64,7 +65,7 @@ void Engine::apply(const Requests& requests) {
     next_.viewSerial = requests.viewSerial;
     restart();
   }
-  if (requests.save) guarded([&] { saveNow(*requests.save); });
+  if (requests.save) startSave(*requests.save);
   if (requests.sample) guarded([&] { explainNow(*requests.sample, requests.searches); });
 }
 
@@ -136,10 +137,18 @@ void Engine::want() {
   next_.sides[indexOf(Side::reference)].hasSession = true;
 }
 
+// A side that continues keeps its picture until its next step replaces it. A side that does not loses it, since it
+// would show an earlier view.
 void Engine::restart() {
   schedule_->restart();
   preparedScale_ = {};
-  for (SideView& side : next_.sides) side.seconds = 0;
+  for (const Side side : {Side::device, Side::reference}) {
+    SideView& view = next_.sides[indexOf(side)];
+    view.seconds = 0;
+    if (schedule_->isWanted(side)) continue;
+    pictures_[indexOf(side)] = std::make_shared<Picture>(next_.size);
+    view = {.hasSession = view.hasSession};
+  }
   next_.difference.reset();
 }
 
@@ -189,6 +198,7 @@ void Engine::finish(const Step& step, double seconds) {
   if (schedule_->isLevel()) compareSides();
   measureFalseColours();
   publish();
+  finishSave();
 }
 
 // Copies the film of a side to its picture.
@@ -220,13 +230,6 @@ void Engine::compareSides() {
   Picture device(next_.size);
   view::show(sessions_.device->film(), device);
   next_.difference = compare(device, *pictures_[indexOf(Side::reference)]);
-}
-
-void Engine::saveNow(const SaveRequest& request) {
-  const Side side = mode_ == Mode::reference || !sessions_.device ? Side::reference : Side::device;
-  render::Session& session = *sessions_.session(side);
-  hooks_.save(request.file, sessions_, session.film(), session.statistics(), choice_, request.display);
-  say(fmt::format("{}: {} samples per pixel", request.file.string(), schedule_->samples(side)), false);
 }
 
 void Engine::explainNow(render::PixelSample sample, bool searches) {

@@ -31,6 +31,7 @@ class Engine {
   void setChoice(const Choice& choice);
   /// Reads the scene again. After an error, the picture stays.
   void reload();
+  /// Writes the picture as soon as each of its pixels has a sample, so that it is never a preview or an earlier view.
   void save(const std::filesystem::path& file, const image::DisplayTransform& display);
   /// Explains a sample of a pixel; the text appears in EngineView::explanation. With `searches`, it is the one of the
   /// pixel's first samples whose values on the two sides are furthest apart.
@@ -54,7 +55,9 @@ class Engine {
   void finish(const Step& step, double seconds);
   void show(Side side);
   void compareSides();
-  void saveNow(const SaveRequest& request);
+  void startSave(const SaveRequest& request);
+  void finishSave();
+  void saveNow(Side side, const SaveRequest& request);
   void explainNow(render::PixelSample sample, bool searches);
   void publish();
   void say(const std::string& message, bool isError);
@@ -73,6 +76,7 @@ class Engine {
   std::optional<Schedule> schedule_;
   std::array<std::uint32_t, kSideCount> preparedScale_{};  ///< of the session's current view; 0: it is out of date
   std::array<std::shared_ptr<Picture>, kSideCount> pictures_;
+  std::optional<SaveRequest> pendingSave_;  ///< waits until each pixel of the picture has a sample
   DevicePreparation coming_;
   EngineView next_;
 

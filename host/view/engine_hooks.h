@@ -30,9 +30,9 @@ struct EngineHooks {
   /// Copies the film of the device to the picture that the window shows, on the device. Returns false if the window
   /// cannot show it from there, so that the engine reads the film.
   std::function<bool(render::Session&, const render::Extent& size)> showOnDevice;
-  /// Writes an image file.
-  std::function<void(const std::filesystem::path&, const Sessions&, const image::Film&, const render::RenderStatistics&,
-                     const Choice&, const image::DisplayTransform&)>
+  /// Writes an image file of a film that was rendered with this camera, which may differ from the scene's.
+  std::function<void(const std::filesystem::path&, const Sessions&, const scene::Camera&, const image::Film&,
+                     const render::RenderStatistics&, const Choice&, const image::DisplayTransform&)>
       save;
   /// Called from the engine's thread whenever there is something new to show.
   std::function<void()> wake;

@@ -48,14 +48,6 @@ std::size_t rank(const DeviceInfo& device) {
   return static_cast<std::size_t>(std::find(kOrder.begin(), kOrder.end(), device.type) - kOrder.begin());
 }
 
-const DeviceInfo* bestDevice(std::span<const DeviceInfo> devices) {
-  const DeviceInfo* best = nullptr;
-  for (const DeviceInfo& device : devices) {
-    if (device.usable && (best == nullptr || rank(device) < rank(*best))) best = &device;
-  }
-  return best;
-}
-
 /// Returns the first usable device that matches the selector, else the first that matches, else null.
 const DeviceInfo* namedDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
   if (const auto index = asIndex(selector, devices.size())) return &devices[*index];
@@ -68,6 +60,14 @@ const DeviceInfo* namedDevice(std::span<const DeviceInfo> devices, const std::st
 }
 
 }  // namespace
+
+const DeviceInfo* bestDevice(std::span<const DeviceInfo> devices) {
+  const DeviceInfo* best = nullptr;
+  for (const DeviceInfo& device : devices) {
+    if (device.usable && (best == nullptr || rank(device) < rank(*best))) best = &device;
+  }
+  return best;
+}
 
 std::string describeDevices(std::span<const DeviceInfo> devices) {
   std::string text;

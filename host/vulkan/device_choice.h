@@ -7,6 +7,10 @@
 
 namespace candela::vulkan {
 
+/// Returns the device that is used if none is selected: a usable one, of the first of these types that there is:
+/// discrete GPU, integrated GPU, virtual GPU, CPU. Null if no device is usable.
+const DeviceInfo* bestDevice(std::span<const DeviceInfo> devices);
+
 /// Applies the rule of selectDevice() to a list. Throws NoDeviceError.
 const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector);
 

@@ -46,6 +46,7 @@ class Viewer {
   void showWorst();
   void inspect();
   void save(const std::string& file);
+  void sendCamera();
   void chooseNextIntegrator();
   PaintedView painted() const;
   void draw();
@@ -179,7 +180,15 @@ void Viewer::apply(const PanelChoice& choice) {
   if (choice.inspectWorst) showWorst();
 }
 
-void Viewer::save(const std::string& file) { engine_.save(file, state_.display); }
+// The camera may have moved by an event just before.
+void Viewer::save(const std::string& file) {
+  sendCamera();
+  engine_.save(file, state_.display);
+}
+
+void Viewer::sendCamera() {
+  if (responses_.hasMoved()) responses_.sent(engine_.setCamera(camera_.camera()));
+}
 
 void Viewer::inspect() {
   if (state_.inspected) engine_.explain({state_.inspected->x, state_.inspected->y, state_.inspectedSample}, false);
@@ -281,7 +290,7 @@ ViewerReport Viewer::run() {
     const std::vector<Event> events = screen_.window().events(isBusy ? kFlyingSeconds : kIdleSeconds);
     for (const Event& event : events) handle(event);
     if (navigation_.isFlying()) fly();
-    if (responses_.hasMoved()) responses_.sent(engine_.setCamera(camera_.camera()));
+    sendCamera();
     watchFile();
     const std::uint64_t serial = shown_.serial;
     shown_ = engine_.view();

@@ -1,12 +1,13 @@
 """Plants faults in a compiler, one at a time, and requires that `candela conformance` finds each in a related case.
 
 The layer of miscompiler.cpp changes modules on their way to the driver. A mutant is a name, the change, the cases that run,
-and a pattern: at least one case that fails must match it. With --table, the result is printed as a Markdown table.
+and a pattern: at least one case that fails must match it. With --table, docs/planted-compiler-faults.md is printed.
 """
 import argparse
 import fnmatch
 import json
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -74,6 +75,20 @@ MUTANTS = [
 ]
 
 
+TABLE_HEAD = """# Planted faults of compilers
+
+Each row is a change that a Vulkan layer makes in the SPIR-V modules on their way to the driver, as a faulty compiler would, and the first
+cases of [`candela conformance`](conformance.md#planted-faults) that find it, at most two. A change is `OPCODE:WHICH:HOW`: the opcode of the SPIR-V
+specification (`12/K`: instruction K of GLSL.std.450), which of its instructions is changed, counting from 0 (or all), and the new opcode, or `swap`
+(the last two operands exchanged), `drop` (the instruction left out) or `plus` (the last operand increased by 1). The page is printed by the command
+below, with the lavapipe of the tests, and a test requires that each change is found.
+
+    python3 tests/capture/planted.py --program build/release/candela --layers build/release/tests/capture/layers --icd LAVAPIPE.json --table
+
+| fault | change | found by |
+|---|---|---|"""
+
+
 def run(options, cases, change):
     environment = dict(os.environ, VK_DRIVER_FILES=options.icd, VK_ICD_FILENAMES=options.icd, VK_LAYER_PATH=options.layers,
                        VK_INSTANCE_LAYERS="VK_LAYER_CANDELA_miscompiler")
@@ -86,6 +101,13 @@ def run(options, cases, change):
     return {case["name"] for case in json.loads(result.stdout)["cases"] if case["result"] in ("Fail", "Crash", "Timeout")}
 
 
+def unlisted():
+    """The mutants that the page lacks, or states differently."""
+    page = pathlib.Path(__file__).resolve().parents[2] / "docs/planted-compiler-faults.md"
+    rows = page.read_text(encoding="utf-8").splitlines()
+    return [name for name, change, _, _ in MUTANTS if not any(row.startswith(f"| {name} | `{change}` | `") for row in rows)]
+
+
 def main():
     parser = argparse.ArgumentParser()
     for name in ("program", "layers", "icd"):
@@ -95,6 +117,8 @@ def main():
     options = parser.parse_args()
     sound = {cases: run(options, cases, None) for cases in {mutant[2] for mutant in MUTANTS}}
     missed = []
+    if options.table:
+        print(TABLE_HEAD)
     for name, change, cases, culprit in MUTANTS:
         if not re.search(options.only, name):
             continue
@@ -107,7 +131,11 @@ def main():
         sys.stdout.flush()
         if not found:
             missed.append(name)
-    print(f"{len(missed)} missed: {missed}")
+    if missed or not options.table:
+        print(f"{len(missed)} missed: {missed}")
+    if not options.table and unlisted():
+        print(f"docs/planted-compiler-faults.md lacks {unlisted()}; print it again with --table")
+        return 1
     return 1 if missed else 0
 
 

@@ -1,5 +1,6 @@
 // The program on a Vulkan device. The validation layer is enabled in it, too: a message of the layer ends it with exit
 // code 70.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -37,6 +38,19 @@ TEST_CASE("devices are listed as text and as JSON") {
   for (const json& device : devices) CHECK(contains(text.out, device["name"]));
   CHECK(devices[0]["usable"] == true);
   CHECK(devices[0]["maxStorageBufferRange"] > 0);
+}
+
+TEST_CASE("the device that is used without --device is marked, and --device lists one device alone") {
+  const json devices = json::parse(runCandela({"devices", "--json", "-"}).out)["devices"];
+  CHECK(std::ranges::count(devices, json(true), [](const json& device) { return device["default"]; }) == 1);
+  const json last = devices.back();
+  const ProgramResult one = runCandela({"devices", "--device", std::to_string(devices.size() - 1), "--json", "-"});
+  CHECK(json::parse(one.out)["devices"] == json::array({last}));
+  const ProgramResult wrong = runCandela({"devices", "--device", "no such device"});
+  CHECK(wrong.exitCode == 4);
+  CHECK(contains(wrong.err, "no Vulkan device \"no such device\"; available devices:"));
+  CHECK(contains(wrong.err, std::string(last["name"])));
+  CHECK(runCandela({"devices", "--device", "cpu"}).exitCode == 1);
 }
 
 TEST_CASE("a render on a device writes an image that names device and driver") {

@@ -28,7 +28,8 @@ TEST_CASE("unknown layers are refused with the names of all") {
   for (const char* list : {"normals", "normal,", "", "normal depth", "normal,,depth"}) {
     CAPTURE(list);
     requireRefusal({"--aov", list}, 1,
-                   "among normal, albedo, depth, position, uv, direct, indirect, emission, variance, samples, moments");
+                   "among normal, albedo, depth, position, uv, direct, indirect, emission, variance, samples, moments, "
+                   "crypto-object, crypto-material, id, material, all");
   }
 }
 

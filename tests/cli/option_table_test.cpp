@@ -85,7 +85,8 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--resume", "FILE", ""},
       {"--resume-anyway", "", ""},
       {"--display-server", "HOST:PORT", "none"},
-      {"--denoise", "", ""},
+      {"--denoise", "", "", Command::render},
+      {"--denoise", "", "", Command::denoise},
       {"--time-limit", "TIME", "none", Command::render},
       {"--samples", "A:B", "all"},
       {"--crop", "X,Y,W,H", "the image"},
@@ -103,7 +104,8 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--time-limit", "TIME", "none", Command::verify},
       {"--junit", "FILE", ""},
       {"--explain", "", ""},
-      {"--cases", "GLOB", "*"},
+      {"--device", "N|SUBSTRING", "all", Command::devices},
+      {"--cases", "GLOB", ""},
       {"--variants", "", ""},
       {"--list", "", ""},
       {"--seed", "N", "0", Command::conformance},
@@ -221,6 +223,17 @@ TEST_CASE("an option prints the value that it was given") {
       CHECK(find(name).show(arguments).back() == value);
     }
   }
+}
+
+TEST_CASE("mattes have short names, and all layers have one") {
+  Arguments arguments;
+  const auto layersOf = [&](const char* list) {
+    REQUIRE(find("--aov").apply(arguments, list));
+    return find("--aov").show(arguments).back();
+  };
+  CHECK(layersOf("id,material,normal") == "normal,crypto-object,crypto-material");
+  CHECK(layersOf("all") == fmt::format("{}", fmt::join(image::layerNames(), ",")));
+  CHECK_FALSE(find("--aov").apply(arguments, "all,ids"));
 }
 
 TEST_CASE("the curve pbr-neutral has a second name") {

@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
+#include "host/cli/render_images.h"
+#include "host/view/camera_text.h"
+
 namespace candela::cli {
 namespace {
 
@@ -91,6 +94,17 @@ TEST_CASE("the maximum depth is that of the integrator unless the command line s
   stated.request.maxDepth = 7;
   resolveRequests(stated, sceneWithCamera(), log);
   CHECK(stated.request.settings.image.maxDepth == 7);
+}
+
+TEST_CASE("images of a camera that is not the scene's name it") {
+  scene::Camera camera;
+  Metadata metadata;
+  addMovedCamera(camera, camera, metadata);
+  CHECK(metadata.empty());
+  scene::Camera moved = camera;
+  moved.from.x += 2;
+  addMovedCamera(moved, camera, metadata);
+  CHECK(metadata.at("candela.camera") == view::cameraText(moved));
 }
 
 TEST_CASE("a file can request each of the structures") {

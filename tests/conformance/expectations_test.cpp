@@ -36,7 +36,6 @@ TEST_CASE("a line of a baseline that cannot be read is an error with its place")
   CHECK_THROWS_WITH(parseBaseline("a.b,Failed\n", "fails.txt"), Contains("fails.txt:1: unknown result \"Failed\""));
   CHECK_THROWS_WITH(parseBaseline("a.b,Fail\na.b,Crash\n", "fails.txt"), Contains("fails.txt:2: a.b occurs twice"));
   CHECK_THROWS_AS(readBaseline("/nonexistent/fails.txt"), FileError);
-  CHECK(readBaseline("").empty());
   CHECK(parseBaseline("a.b,Fail\r\n", "fails.txt").at("a.b") == Status::fail);
   CHECK(parseBaseline("\xef\xbb\xbf"
                       "a.b,Fail\n",
@@ -87,10 +86,10 @@ TEST_CASE("names of cases are unique, and a pattern selects some of them") {
     CHECK(std::ranges::count(cases, one.name, &Case::name) == 1);
     CHECK(one.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789._") == std::string::npos);
   }
-  CHECK(casesNamed(cases, "*").size() == cases.size());
-  CHECK(casesNamed(cases, "kernel.megakernel.layout.cwbvh.texel.cornell").size() == 1);
-  CHECK(casesNamed(cases, "leaf.sampler.*").size() == 4);
-  CHECK(casesNamed(cases, "none").empty());
+  CHECK(casesNamed(cases, {"*"}).size() == cases.size());
+  CHECK(casesNamed(cases, {"kernel.megakernel.layout.cwbvh.texel.cornell"}).size() == 1);
+  CHECK(casesNamed(cases, {"leaf.sampler.*"}).size() == 4);
+  CHECK(casesNamed(cases, {"none"}).empty());
 }
 
 }  // namespace candela::conformance

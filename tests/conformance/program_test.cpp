@@ -1,5 +1,6 @@
 // `candela conformance` as a newcomer uses it, without a device.
 #include <catch2/catch.hpp>
+#include <sstream>
 
 #include "tests/cli/run_program.h"
 
@@ -25,6 +26,28 @@ TEST_CASE("conformance --list prints the names without a device") {
   CHECK(runConformance({"--list", "--cases", "leaf.film.*"}).out == "leaf.film.sums\nleaf.film.carry\n");
 }
 
+TEST_CASE("conformance runs the cases of all patterns, each once, and each pattern must have a case") {
+  const std::string sums = "leaf.film.sums", carry = "leaf.film.carry";
+  CHECK(runConformance({"--list", "--cases", carry, "--cases", "leaf.film.*", "--cases", sums}).out ==
+        sums + "\n" + carry + "\n");
+  const ProgramResult refused = runConformance({"--list", "--cases", "nothing.*", "--cases", sums});
+  CHECK(refused.exitCode == 1);
+  CHECK(contains(refused.err, "--cases nothing.*: no case has such a name"));
+}
+
+TEST_CASE("the page of the cases lists all names") {
+  const std::string page = readText(std::string(CANDELA_SOURCE_DIR) + "/docs/conformance-cases.md");
+  std::istringstream names(runConformance({"--list"}).out);
+  std::size_t count = 0;
+  for (std::string name; std::getline(names, name); ++count) {
+    INFO(name);
+    CHECK(contains(page, "\n| `" + name + "` |"));
+  }
+  std::size_t rows = 0;
+  for (std::size_t at = page.find("\n| `"); at != std::string::npos; at = page.find("\n| `", at + 1)) ++rows;
+  CHECK(rows == count);
+}
+
 TEST_CASE("a baseline with a name that no case has causes a warning") {
   const TemporaryFolder folder;
   const std::string baseline = folder.write("fails.txt", "control.loop.iteration,Fail\nleaf.film.sums,Fail\n");
@@ -43,6 +66,8 @@ TEST_CASE("conformance refuses what it cannot do, and says what to do instead") 
   const TemporaryFolder folder;
   const std::string wrong = folder.write("wrong.txt", "control.loop.iterations\n");
   const std::string passing = folder.write("passing.txt", "control.loop.iterations,Passes\n");
+  const std::string failing = folder.write("failing.txt", "leaf.film.sums,Fail\n");
+  const std::string timeouts = folder.write("timeouts.txt", "leaf.film.sums,Timeout\n");
   for (const Refusal& refusal :
        std::vector<Refusal>{{{"--cases", "nothing.*"}, 1, "--cases nothing.*: no case has such a name"},
                             {{"--device", "cpu"}, 1, "choose a Vulkan device"},
@@ -54,6 +79,12 @@ TEST_CASE("conformance refuses what it cannot do, and says what to do instead") 
                             {{"--baseline", "/nonexistent/fails.txt"}, 2, "/nonexistent/fails.txt"},
                             {{"--baseline", wrong}, 2, "wrong.txt:1: expected `case,Result`"},
                             {{"--baseline", passing}, 2, "expected Fail, Crash, Timeout, Pass or ExpectedFail"},
+                            {{"--baseline", failing, "--baseline", wrong}, 2, "wrong.txt:1"},
+                            {{"--baseline", wrong, "--baseline", failing}, 2, "wrong.txt:1"},
+                            {{"--baseline", failing, "--baseline", timeouts}, 2, "another result of leaf.film.sums"},
+                            {{"--skips", wrong, "--skips", "/nonexistent/skips.txt"}, 2, "/nonexistent/skips.txt"},
+                            {{"--skips", "/nonexistent/skips.txt", "--skips", wrong}, 2, "/nonexistent/skips.txt"},
+                            {{"--flakes", "/nonexistent/flakes.txt", "--flakes", wrong}, 2, "/nonexistent/flakes.txt"},
                             {{"--csv", "/nonexistent/results.csv"}, 2, "/nonexistent"},
                             {{}, 4, "apt-get install mesa-vulkan-drivers"}}) {
     const ProgramResult result = runConformance(refusal.words);

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <csignal>
 #include <filesystem>
+#include <sstream>
 
 #include "tests/cli/run_program.h"
 
@@ -14,6 +15,65 @@ constexpr const char*
   "verify": [], "bench": [], "rays": [], "tune": null})";
 
 const std::string kScript = std::string(CANDELA_SOURCE_DIR) + "/cmake/kit/run.sh";
+
+// A substitute for the program with two devices. It writes its arguments to the file `calls`, and its tuning fails.
+constexpr const char* kProgram = R"(#!/bin/sh
+echo "$*" >> "${0%/*}/calls"
+gpu='{
+"index": 0,
+"name": "A GPU",
+"type": "discrete GPU",
+"default": true
+}'
+software='{
+"index": 1,
+"name": "SwiftShader Device",
+"type": "CPU",
+"default": false
+}'
+for last; do :; done
+case $* in
+"devices --json "*) echo "[$gpu,$software]" > "$last" ;;
+"devices --device "[0A]*) echo "[$gpu]" > "$last" ;;
+"devices --device "[1S]*) echo "[$software]" > "$last" ;;
+devices*) printf 'candela: no such device; available devices:\ncandela:   0: A GPU\n' >&2; exit 4 ;;
+report*) touch "$4" "$6" ;;
+tune*) printf 'a driver says something\ncandela: the cause\ncandela: and the remedy\n' >&2; exit 6 ;;
+esac
+)";
+
+// The script beside a substitute for the program.
+class Kit {
+ public:
+  explicit Kit(const std::string& program) {
+    std::filesystem::copy_file(kScript, folder_.path("run.sh"));
+    std::filesystem::permissions(folder_.write("candela", program), std::filesystem::perms::owner_all);
+    std::filesystem::create_directory(folder_.path("scenes"));
+    folder_.write("scenes/cornell.p3f", "");
+    std::filesystem::create_directory(folder_.path("tmp"));
+  }
+
+  std::string path(const std::string& name) const { return folder_.path(name); }
+
+  ProgramResult run(const std::vector<std::string>& options, Surroundings surroundings = {}) const {
+    std::vector<std::string> words{path("run.sh"), "-o", path("out")};
+    words.insert(words.end(), options.begin(), options.end());
+    surroundings.environment.push_back("TMPDIR=" + path("tmp"));
+    return runProgram("/bin/sh", words, surroundings);
+  }
+
+  // The arguments of the substitute's call for a step.
+  std::string call(const std::string& step) const {
+    std::istringstream calls(readText(path("calls")));
+    std::string line;
+    while (std::getline(calls, line) && !line.starts_with(step)) {
+    }
+    return line;
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
 
 }  // namespace
 
@@ -54,26 +114,46 @@ TEST_CASE("report refuses what it cannot read or write") {
 
 TEST_CASE("the kit's script ends at once when it is interrupted in a step, with the program and without remains") {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    const TemporaryFolder folder;
-    std::filesystem::copy_file(kScript, folder.path("run.sh"));
-    const std::string program = folder.write(
-        "candela",
-        "#!/bin/sh\ncase $1 in\ndevices) echo '{}' > \"$3\" ;;\n"
+    const Kit kit(
+        "#!/bin/sh\nfor last; do :; done\ncase $1 in\ndevices) echo '{}' > \"$last\" ;;\n"
         "*) echo $$ > \"${0%/*}/step\"; sleep 120 & trap 'kill $!; exit 7' TERM; wait ;;\nesac\n");
-    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
-    std::filesystem::create_directory(folder.path("tmp"));
     const auto start = std::chrono::steady_clock::now();
-    const ProgramResult result = runProgram(
-        "/bin/sh", {folder.path("run.sh"), "-o", folder.path("out")},
-        {.environment = {"TMPDIR=" + folder.path("tmp")}, .interruptAfter = std::chrono::seconds(2), .signal = signal});
+    const ProgramResult result = kit.run({"--device", "0"},
+                                         {.interruptAfter = std::chrono::seconds(2), .signal = signal});
     CAPTURE(signal);
     CHECK(result.exitCode == 7);
     CHECK(contains(result.err, "run.sh: interrupted, and no results are written"));
     CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(30));
-    CHECK(::kill(std::stoi(readText(folder.path("step"))), 0) != 0);
-    CHECK(std::filesystem::is_empty(folder.path("tmp")));
-    CHECK(std::filesystem::is_empty(folder.path("out")));
+    CHECK(::kill(std::stoi(readText(kit.path("step"))), 0) != 0);
+    CHECK(std::filesystem::is_empty(kit.path("tmp")));
+    CHECK(std::filesystem::is_empty(kit.path("out")));
   }
+}
+
+TEST_CASE(
+    "all steps of the kit's script use one device, whose kind decides the images and the cases that are skipped") {
+  const Kit gpu(kProgram);
+  CHECK(gpu.run({}).exitCode == 0);
+  CHECK(contains(gpu.call("conformance"), "conformance --device 0 "));
+  CHECK(contains(gpu.call("verify"), " --size 256x256 "));
+  CHECK(contains(gpu.call("bench "), " --size 1024x1024 "));
+
+  const Kit software(kProgram);
+  const ProgramResult result = software.run({"--device", "Swift"});
+  CHECK(result.exitCode == 0);
+  CHECK(contains(software.call("conformance"), "/baselines/swiftshader-skips.txt --device Swift "));
+  CHECK(contains(software.call("verify"), " --size 64x64 "));
+  CHECK(contains(software.call("tune"), " --device Swift "));
+  CHECK(contains(result.out, "tune ... failed with exit code 6: the cause\n"));
+}
+
+TEST_CASE("the kit's script refuses a device that does not exist before any step") {
+  const Kit kit(kProgram);
+  const ProgramResult result = kit.run({"--device", "NOPE"});
+  CHECK(result.exitCode == 4);
+  CHECK(result.out.empty());
+  CHECK(result.err == "candela: no such device; available devices:\ncandela:   0: A GPU\n");
+  CHECK(std::filesystem::is_empty(kit.path("tmp")));
 }
 
 TEST_CASE("the kit's script explains itself and refuses wrong options") {

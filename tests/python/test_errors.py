@@ -1,4 +1,5 @@
 """Errors and warnings have the texts and the exit codes of the program."""
+import ctypes
 import logging
 import os
 import pathlib
@@ -56,6 +57,15 @@ class Errors(FolderTest):
         with self.assertRaises(candela.UsageError):
             film.save(self.folder / "a.exr", denoise=True)
         self.assertFalse((self.folder / "a.exr").exists())
+
+    def test_open_image_denoise(self):
+        with self.assertRaisesRegex(candela.UsageError, '--denoise: expected no value or oidn, got "optix"'):
+            candela.render(cornell(), **SMALL, device="cpu", denoise="optix")
+        try:
+            ctypes.CDLL("libOpenImageDenoise.so.2")
+        except OSError:
+            with self.assertRaisesRegex(candela.NoDeviceError, "--denoise oidn needs the library Open Image Denoise"):
+                candela.render(cornell(), **SMALL, device="cpu", denoise="oidn")
 
     def test_files_that_are_read_are_not_overwritten(self):
         scene_file, sky, film_file = (self.folder / name for name in ("room.png", "sky.exr", "a.exr"))
@@ -138,8 +148,8 @@ class Errors(FolderTest):
             options = {**SMALL, "size": numpy_size, "spp": numpy.int8(SMALL["spp"])}
             film = candela.render(cornell(), **options, device="cpu", nee=numpy.bool_(False), one_sided=numpy.bool_(True))
             self.assertEqual(film.hash, plain)
-        with self.assertRaisesRegex(candela.UsageError, '--size: expected .*, got "24.0x20.0"'):
-            candela.render(cornell(), size=numpy.array([24.0, 20.0]), device="cpu")
+        with self.assertRaisesRegex(candela.UsageError, '--size: expected .*, got "24.5x20"'):
+            candela.render(cornell(), size=numpy.array([24.5, 20.0]), device="cpu")
         with self.assertRaisesRegex(candela.UsageError, '--size: expected .*, got "5"'):
             candela.render(cornell(), size=numpy.array(5), device="cpu")
 

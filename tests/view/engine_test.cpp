@@ -2,86 +2,14 @@
 #include "host/view/engine.h"
 
 #include <catch2/catch.hpp>
-#include <chrono>
-#include <stdexcept>
 
+#include "engine_support.h"
 #include "host/core/errors.h"
-#include "host/formats/load_scene.h"
-#include "host/reference/reference_renderer.h"
-#include "host/render/request.h"
 
 using namespace candela;
 using namespace candela::view;
 
 namespace {
-
-constexpr std::uint32_t kSamples = 4;
-constexpr render::Extent kSize{24, 16};
-
-std::shared_ptr<const scene::Scene> testScene() {
-  static const auto scene = std::make_shared<const scene::Scene>(
-      formats::loadScene(std::filesystem::path(CANDELA_SOURCE_DIR) / "scenes/cornell.p3f").scene);
-  return scene;
-}
-
-render::RenderSettings settingsOf(const Choice& choice, std::uint32_t seed = 0) {
-  render::RenderSettings settings;
-  settings.image.size = kSize;
-  settings.image.sampleCount = kSamples;
-  settings.image.maxDepth = 4;
-  settings.image.integrator = choice.integrator;
-  settings.image.seed = seed;
-  settings.execution.threads = 1;
-  return settings;
-}
-
-Sessions sessionsOf(const Choice& choice, bool) {
-  Sessions sessions;
-  sessions.scene = testScene();
-  sessions.settings = settingsOf(choice);
-  sessions.referenceRenderer = reference::makeReferenceRenderer();
-  sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
-  return sessions;
-}
-
-// A second reference tracer replaces the device. `seed` makes it differ.
-auto deviceWithSeed(std::uint32_t seed) {
-  return [seed](const Choice& choice, Sessions& sessions) {
-    sessions.deviceRenderer = reference::makeReferenceRenderer();
-    sessions.device = sessions.deviceRenderer->prepare(*sessions.scene, settingsOf(choice, seed));
-    sessions.deviceName = "device";
-  };
-}
-
-EngineHooks testHooks(std::uint32_t seed = 0) {
-  return {.load = sessionsOf,
-          .addDevice = deviceWithSeed(seed),
-          .showOnDevice = [](render::Session&, const render::Extent&) { return false; },
-          .save = {},
-          .wake = [] {}};
-}
-
-template <class Condition>
-EngineView waitFor(const Engine& engine, Condition condition) {
-  for (int i = 0; i < 3000; ++i) {
-    EngineView view = engine.view();
-    if (condition(view)) return view;
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  throw std::runtime_error("the engine has not reached the state within 30 s");
-}
-
-auto finished(Side side) {
-  return [side](const EngineView& view) { return view.sides[indexOf(side)].samples == kSamples; };
-}
-
-Picture expectedPicture(const scene::Camera& camera, const Choice& choice) {
-  scene::Scene scene = *testScene();
-  scene.camera = camera;
-  Picture picture(kSize);
-  show(reference::makeReferenceRenderer()->render(scene, settingsOf(choice), {}).film, picture);
-  return picture;
-}
 
 class LostSession final : public render::Session {
  public:
@@ -117,11 +45,8 @@ TEST_CASE("the engine finishes the device's picture, and follows the camera") {
   CHECK(first.deviceName == "device");
   CHECK(first.sides[0].picture->pixels == expectedPicture(*testScene()->camera, choice).pixels);
 
-  scene::Camera camera = *testScene()->camera;
-  camera.from.x += 0.25f;
-  const std::uint64_t serial = engine.setCamera(camera);
-  const EngineView moved = waitFor(
-      engine, [&](const EngineView& view) { return view.viewSerial == serial && finished(Side::device)(view); });
+  const scene::Camera camera = movedCamera();
+  const EngineView moved = moveTo(engine, camera, Side::device);
   CHECK(moved.sides[0].picture->pixels == expectedPicture(camera, choice).pixels);
 }
 
@@ -194,22 +119,19 @@ TEST_CASE("a choice replaces the sessions, and a file that cannot be read does n
   CHECK(after.sides[0].picture == before.sides[0].picture);
 }
 
-TEST_CASE("the film that is saved has the samples that are shown") {
-  std::promise<std::uint32_t> saved;
-  EngineHooks hooks = testHooks();
-  hooks.save = [&](const auto& file, const Sessions&, const image::Film& film,
-                   const render::RenderStatistics& statistics, const Choice&, const image::DisplayTransform& display) {
-    CHECK(file == "a.exr");
-    CHECK(display.exposure == 2);
-    CHECK(statistics.samples == std::uint64_t{kSamples} * kSize.width * kSize.height);
-    saved.set_value(film.at(0, 0).sampleCount);
-  };
-  Engine engine(hooks, {"0"}, Mode::device);
-  waitFor(engine, finished(Side::device));
-  engine.save("a.exr", {.exposure = 2});
-  CHECK(saved.get_future().get() == kSamples);
-  CHECK(waitFor(engine, [](const EngineView& view) { return !view.message.empty(); }).message ==
-        "a.exr: 4 samples per pixel");
+TEST_CASE("a movement of the camera removes the picture of the side that does not follow it") {
+  Engine engine(testHooks(7), {"0"}, Mode::split);
+  waitFor(engine, finished(Side::reference));
+  engine.setMode(Mode::device, false);
+  const EngineView moved = moveTo(engine, movedCamera(), Side::device);
+  CHECK(moved.sides[1].hasSession);
+  CHECK(moved.sides[1].scale == 0);
+  CHECK(moved.sides[1].samples == 0);
+  CHECK(!moved.sides[1].picture);
+
+  engine.setMode(Mode::reference, false);
+  const EngineView reference = waitFor(engine, finished(Side::reference));
+  CHECK(reference.sides[1].picture->pixels == expectedPicture(movedCamera(), {"0"}).pixels);
 }
 
 TEST_CASE("the reference continues when the device is lost") {
@@ -226,9 +148,7 @@ TEST_CASE("a paused engine gives each view its first sample, and no more") {
   Engine engine(testHooks(), {"cpu"}, Mode::reference);
   waitFor(engine, finished(Side::reference));
   engine.setMode(Mode::reference, true);
-  scene::Camera camera = *testScene()->camera;
-  camera.from.x += 0.25f;
-  const std::uint64_t moved = engine.setCamera(camera);
+  const std::uint64_t moved = engine.setCamera(movedCamera());
   waitFor(engine, [&](const EngineView& view) { return view.viewSerial == moved && view.sides[1].samples == 1; });
   settledSerial(engine);
   CHECK(engine.view().sides[1].samples == 1);

@@ -2,6 +2,7 @@
 import base64
 import json
 import os
+import re
 import signal
 import struct
 import subprocess
@@ -35,6 +36,23 @@ class Files(support.WindowTest):
         saved = self.folder / "room.png"
         support.wait_for(saved.exists, "the saved image")
         self.render(*OPTIONS)
+        self.assertEqual(saved.read_bytes(), self.rendered.read_bytes())
+        viewer.close()
+
+    def test_a_saved_image_has_the_camera_that_is_shown(self):
+        viewer = self.view(*OPTIONS)
+        viewer.wait_for_samples(2)
+        viewer.drag((support.LEFT + 144, 230), (support.LEFT + 204, 210))
+        camera = viewer.copied_camera()
+        _, view, rest = re.split(r"^(v\n(?:\w+ .*\n)+)", camera, flags=re.M)
+        self.assertEqual(rest, "")
+        text = self.scene.read_text()
+        moved = self.folder / "moved.p3f"
+        moved.write_text(re.sub(r"^v\s+(?:(?:from|at|up|angle|hither|resolution)\b.*\s+)+", view, text, count=1, flags=re.M))
+        viewer.wait_for_picture(self.render(*OPTIONS, scene=moved), "the moved view")
+        viewer.key("p")
+        saved = self.folder / "room.png"
+        support.wait_for(lambda: saved.exists() and saved.read_bytes().endswith(b"IEND\xaeB`\x82"), "the saved image")
         self.assertEqual(saved.read_bytes(), self.rendered.read_bytes())
         viewer.close()
 

@@ -8,6 +8,7 @@ from ._candela import (
     Verdict,
     __version__,
     compare,
+    devices,
     explain,
     load,
     merge,
@@ -15,6 +16,7 @@ from ._candela import (
     render,
     verify,
 )
+from . import _films  # noqa: F401 (makes films picklable)
 from ._errors import (
     CandelaWarning,
     DeviceHungError,
@@ -47,6 +49,7 @@ __all__ = [
     "Verdict",
     "__version__",
     "compare",
+    "devices",
     "explain",
     "load",
     "merge",

@@ -10,6 +10,7 @@ __version__: str
 
 _Path = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 _Flag = bool | numpy.bool_
+_Count = SupportsIndex | float  #: a whole number; 4.0 is one
 _Whole = Sequence[SupportsIndex] | numpy.typing.NDArray[numpy.integer[Any]]
 _Pair = _Whole | str  #: width and height, as a pair or as "WxH"
 _Crop = _Whole | str  #: left column, top row, width and height
@@ -21,6 +22,7 @@ _Layer = Literal[
     "normal", "albedo", "depth", "position", "uv", "direct", "indirect", "emission", "variance", "samples", "moments",
     "crypto-object", "crypto-material",
 ]
+_LayerChoice = _Layer | Literal["id", "material", "all"]  #: "id" is "crypto-object", and "material" "crypto-material"
 _Floats = numpy.typing.NDArray[numpy.float32]
 
 class _Material(TypedDict, total=False):
@@ -121,7 +123,7 @@ class Film:
         checkpoint: _Path | None = None,
         tonemap: Literal["none", "srgb", "aces", "aces-hill", "agx", "pbr-neutral", "neutral"] | None = None,
         exposure: float | Literal["auto"] | None = None,
-        denoise: _Flag | None = None,
+        denoise: _Flag | Literal["oidn"] | None = None,
         device: str | int | None = None,
         no_cache: _Flag | None = None,
     ) -> None: ...
@@ -133,6 +135,8 @@ class Film:
         no_cache: _Flag | None = None,
     ) -> _Floats: ...
     def _repr_png_(self) -> bytes: ...
+    def __copy__(self) -> Film: ...
+    def __deepcopy__(self, memo: dict[int, Any], /) -> Film: ...
 
 @final
 class Session:
@@ -141,11 +145,11 @@ class Session:
         scene: Scene,
         /,
         *,
-        spp: SupportsIndex | None = None,
-        seed: SupportsIndex | None = None,
+        spp: _Count | None = None,
+        seed: _Count | None = None,
         size: _Pair | None = None,
-        max_depth: SupportsIndex | None = None,
-        rr_start: SupportsIndex | None = None,
+        max_depth: _Count | None = None,
+        rr_start: _Count | None = None,
         integrator: _Integrator | None = None,
         ao_distance: float | Literal["auto"] | None = None,
         nee: _Flag | None = None,
@@ -173,10 +177,10 @@ class Session:
         hang_timeout: _Duration | None = None,
         untuned: _Flag | None = None,
         no_cache: _Flag | None = None,
-        threads: SupportsIndex | None = None,
-        aovs: Sequence[_Layer] | str | None = None,
+        threads: _Count | None = None,
+        aovs: Sequence[_LayerChoice] | str | None = None,
         aov_through_specular: _Flag | None = None,
-        denoise: _Flag | None = None,
+        denoise: _Flag | Literal["oidn"] | None = None,
     ) -> None: ...
     def advance(self, samples: SupportsIndex | range | None = None, *, progress: _Progress | None = None) -> None: ...
     def reset(self, seed: SupportsIndex) -> None: ...
@@ -226,6 +230,7 @@ class Explanation:
     def report(self) -> dict[str, Any]: ...
     def __bool__(self) -> bool: ...
 
+def devices() -> list[dict[str, Any]]: ...
 def load(
     file: _Path,
     /,
@@ -244,11 +249,11 @@ def render(
     /,
     *,
     progress: _Progress | None = None,
-    spp: SupportsIndex | None = None,
-    seed: SupportsIndex | None = None,
+    spp: _Count | None = None,
+    seed: _Count | None = None,
     size: _Pair | None = None,
-    max_depth: SupportsIndex | None = None,
-    rr_start: SupportsIndex | None = None,
+    max_depth: _Count | None = None,
+    rr_start: _Count | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
     nee: _Flag | None = None,
@@ -276,7 +281,7 @@ def render(
     fallback: Literal["none", "cpu"] | None = None,
     untuned: _Flag | None = None,
     no_cache: _Flag | None = None,
-    threads: SupportsIndex | None = None,
+    threads: _Count | None = None,
     checkpoint: _Path | None = None,
     checkpoint_every: _Duration | None = None,
     resume: _Path | None = None,
@@ -284,10 +289,10 @@ def render(
     time_limit: _Duration | None = None,
     samples: range | str | None = None,
     crop: _Crop | None = None,
-    aovs: Sequence[_Layer] | str | None = None,
+    aovs: Sequence[_LayerChoice] | str | None = None,
     aov_through_specular: _Flag | None = None,
     noise_threshold: float | Literal["off"] | None = None,
-    denoise: _Flag | None = None,
+    denoise: _Flag | Literal["oidn"] | None = None,
 ) -> Film: ...
 def open_film(file: _Path, /) -> Film: ...
 def merge(files: Iterable[_Path], /, *, mixed_devices: _Flag | None = None, partial: _Flag | None = None) -> Film: ...
@@ -296,10 +301,10 @@ def verify(
     /,
     *,
     progress: _Progress | None = None,
-    seed: SupportsIndex | None = None,
+    seed: _Count | None = None,
     size: _Pair | None = None,
-    max_depth: SupportsIndex | None = None,
-    rr_start: SupportsIndex | None = None,
+    max_depth: _Count | None = None,
+    rr_start: _Count | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
     nee: _Flag | None = None,
@@ -321,7 +326,7 @@ def verify(
     hang_timeout: _Duration | None = None,
     untuned: _Flag | None = None,
     no_cache: _Flag | None = None,
-    threads: SupportsIndex | None = None,
+    threads: _Count | None = None,
     alpha: float | str | None = None,
     bias: float | str | None = None,
     test: Literal["paired", "independent"] | None = None,
@@ -332,11 +337,11 @@ def explain(
     /,
     *,
     progress: _Progress | None = None,
-    spp: SupportsIndex | None = None,
-    seed: SupportsIndex | None = None,
+    spp: _Count | None = None,
+    seed: _Count | None = None,
     size: _Pair | None = None,
-    max_depth: SupportsIndex | None = None,
-    rr_start: SupportsIndex | None = None,
+    max_depth: _Count | None = None,
+    rr_start: _Count | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
     nee: _Flag | None = None,
@@ -363,9 +368,9 @@ def explain(
     hang_timeout: _Duration | None = None,
     untuned: _Flag | None = None,
     no_cache: _Flag | None = None,
-    threads: SupportsIndex | None = None,
+    threads: _Count | None = None,
     pixel: _Whole | str | None = None,
-    sample: SupportsIndex | None = None,
+    sample: _Count | None = None,
 ) -> Explanation: ...
 @overload
 def compare(
@@ -373,11 +378,11 @@ def compare(
     /,
     *,
     progress: _Progress | None = None,
-    spp: SupportsIndex | None = None,
-    seed: SupportsIndex | None = None,
+    spp: _Count | None = None,
+    seed: _Count | None = None,
     size: _Pair | None = None,
-    max_depth: SupportsIndex | None = None,
-    rr_start: SupportsIndex | None = None,
+    max_depth: _Count | None = None,
+    rr_start: _Count | None = None,
     integrator: _Integrator | None = None,
     ao_distance: float | Literal["auto"] | None = None,
     nee: _Flag | None = None,
@@ -404,7 +409,7 @@ def compare(
     hang_timeout: _Duration | None = None,
     untuned: _Flag | None = None,
     no_cache: _Flag | None = None,
-    threads: SupportsIndex | None = None,
+    threads: _Count | None = None,
     alpha: float | str | None = None,
 ) -> Comparison: ...
 @overload
