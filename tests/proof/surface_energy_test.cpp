@@ -1,6 +1,7 @@
 // The energy that surfaces scatter: docs/light-transport.md sections 5.1 to 5.12.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <utility>
 
 #include "tests/proof/cells.h"
 #include "tests/proof/hemisphere.h"
@@ -43,6 +44,38 @@ TEST_CASE("white surfaces reflect everything within 1 percent, and never more th
                 outside);
         CHECK(albedo <= 1.001);
         CHECK(albedo >= 0.99);
+      }
+    }
+  }
+}
+
+TEST_CASE("white glass below a thin film passes what the film does not reflect", "[swiftshader-slow]") {
+  std::vector<scene::Material> materials;
+  for (const float roughness : {0.01f, 0.05f, 0.2f, 0.35f, 0.5f, 0.7f, 1.0f}) {
+    for (const auto& [thickness, ior] : {std::pair{150.0f, 1.5f}, {400.0f, 1.2f}, {400.0f, 1.5f}, {700.0f, 2.2f}}) {
+      for (const bool thin : {true, false}) {
+        materials.push_back(materialOf({.roughness = roughness,
+                                        .ior = ior,
+                                        .transmissionWeight = 1,
+                                        .isThinWalled = thin,
+                                        .filmWeight = 1,
+                                        .filmThickness = thickness}));
+      }
+    }
+  }
+  const MaterialLeaves leaves(materials);
+  const std::vector<glm::vec3> numbers = latticeNumbers(16384);
+  for (std::uint32_t material = 0; material < materials.size(); ++material) {
+    for (const double cosine : {0.1, 0.4, 0.7, 0.95}) {
+      for (const bool outside : {true, false}) {
+        const scene::SurfaceParameters& surface = *materials[material].surface;
+        if (!outside && surface.isThinWalled) continue;
+        const dvec3 albedo = meanWeight(scattered(leaves, material, directionAt(cosine, 0.3), numbers, outside));
+        CAPTURE(surface.isThinWalled, surface.roughness, surface.filmThickness, cosine, outside);
+        for (int channel = 0; channel < 3; ++channel) {
+          CHECK(albedo[channel] <= (surface.isThinWalled ? 1.001 : 1.01));
+          CHECK(albedo[channel] >= (surface.isThinWalled ? 0.998 : 0.95));
+        }
       }
     }
   }
