@@ -1,9 +1,12 @@
 // Reciprocity of each lobe: docs/light-transport.md sections 5.2 to 5.12. Compensation and layers multiply a lobe by
 // factors that depend on wo alone. For a cycle of directions a, b, c, these factors cancel in the products
-// f(a, b) f(b, c) f(c, a) and f(b, a) f(c, b) f(a, c), which are equal if the rest is reciprocal.
+// f(a, b) f(b, c) f(c, a) and f(b, a) f(c, b) f(a, c), which are equal if the rest is reciprocal. So would factors of
+// wi cancel, which the quotients of lobes and bare microfacets exclude.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <functional>
+#include <numbers>
 #include <utility>
 
 #include "tests/proof/cells.h"
@@ -39,6 +42,19 @@ const std::vector<Lobe> kLobes{
     {"reflection by glass", {.transmissionWeight = 1, .isThinWalled = false}},
     {"reflection by anisotropic glass", {.transmissionWeight = 1, .isThinWalled = false, .anisotropy = 0.6f}}};
 
+// Every lobe with every roughness.
+std::vector<scene::Material> lobesOfAllRoughnesses() {
+  std::vector<scene::Material> materials;
+  for (const Lobe& lobe : kLobes) {
+    for (const float roughness : kRoughnesses) {
+      materials.push_back(materialOf(lobe.surface));
+      materials.back().surface->roughness = roughness;
+      materials.back().surface->coatRoughness = roughness;
+    }
+  }
+  return materials;
+}
+
 constexpr std::size_t kCycles = 2000;
 
 // Returns uniform directions of the upper hemisphere that are not at the horizon.
@@ -63,6 +79,33 @@ std::vector<DirectionPair> cyclesOf(std::uint32_t material, bool backwards, bool
   return pairs;
 }
 
+// For each direction wo, two directions wi at the same angle to it, so that wo.h is the same.
+std::vector<DirectionPair> equalAnglesOf() {
+  const std::vector<dvec3> views = directionsOf(315), first = directionsOf(316);
+  const std::vector<glm::vec3> turns = randomNumbers(kCycles, 317);
+  std::vector<DirectionPair> pairs;
+  for (std::size_t i = 0; i < kCycles; ++i) {
+    const dvec3 &wo = views[i], &wi = first[i];
+    const double angle = 2 * std::numbers::pi * turns[i].x;
+    const dvec3 turned = std::cos(angle) * wi + std::sin(angle) * cross(wo, wi) +
+                         (1 - std::cos(angle)) * dot(wo, wi) * wo;
+    // A reflectance of (1 - wo.h)^5 must not be too small to be resolved.
+    if (turned.z < 0.03 || dot(wo, wi) > 0.6) continue;
+    pairs.push_back({0, wo, wi});
+    pairs.push_back({0, wo, turned});
+  }
+  return pairs;
+}
+
+std::vector<ScatterValue> valuesOf(const MaterialLeaves& leaves, std::uint32_t material,
+                                   std::vector<DirectionPair> pairs, bool turned) {
+  for (DirectionPair& pair : pairs) {
+    pair.material = material;
+    if (turned) pair.wi.z = -pair.wi.z;
+  }
+  return leaves.evaluate(pairs);
+}
+
 using Values = std::function<std::vector<ScatterValue>(std::span<const DirectionPair>)>;
 
 void checkCycles(const Values& values, std::uint32_t material, bool turned) {
@@ -80,20 +123,36 @@ void checkCycles(const Values& values, std::uint32_t material, bool turned) {
 
 }  // namespace
 
-TEST_CASE("every lobe is reciprocal up to a factor that depends on one direction") {
-  std::vector<scene::Material> materials;
-  for (const Lobe& lobe : kLobes) {
-    for (const float roughness : kRoughnesses) {
-      materials.push_back(materialOf(lobe.surface));
-      materials.back().surface->roughness = roughness;
-      materials.back().surface->coatRoughness = roughness;
-    }
-  }
+TEST_CASE("every lobe is reciprocal up to factors that depend on one direction") {
+  const std::vector<scene::Material> materials = lobesOfAllRoughnesses();
   const MaterialLeaves leaves(materials);
   for (std::uint32_t i = 0; i < materials.size(); ++i) {
     const Lobe& lobe = kLobes[i / kRoughnesses.size()];
     CAPTURE(lobe.name, materials[i].surface->roughness);
     checkCycles([&](std::span<const DirectionPair> pairs) { return leaves.evaluate(pairs); }, i, lobe.transmits);
+  }
+}
+
+TEST_CASE("every lobe is that of bare microfacets times a factor of wo and of its angle to the half vector") {
+  const std::vector<DirectionPair> pairs = equalAnglesOf();
+  REQUIRE(pairs.size() > 1000);
+  std::vector<scene::Material> materials = lobesOfAllRoughnesses();
+  const auto count = static_cast<std::uint32_t>(materials.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const SurfaceParameters& lobe = *materials[i].surface;
+    materials.push_back(materialOf(
+        {.baseColour = {0, 0, 0}, .metalness = 1, .roughness = lobe.roughness, .anisotropy = lobe.anisotropy}));
+  }
+  const MaterialLeaves leaves(materials);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Lobe& lobe = kLobes[i / kRoughnesses.size()];
+    const std::vector<ScatterValue> f = valuesOf(leaves, i, pairs, lobe.transmits),
+                                    bare = valuesOf(leaves, count + i, pairs, false);
+    CAPTURE(lobe.name, materials[i].surface->roughness);
+    for (std::size_t k = 0; k < pairs.size(); k += 2) {
+      const double here = f[k].f.y * bare[k + 1].f.y, there = f[k + 1].f.y * bare[k].f.y;
+      REQUIRE(std::abs(here - there) <= 1000 * kRounding * here);
+    }
   }
 }
 
