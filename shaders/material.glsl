@@ -33,14 +33,22 @@ struct SurfaceParameters {
   vec3 kappa;
 };
 
+// A thin film on a dielectric, as seen from one direction: section 5.11.
+struct FilmOnGlass {
+  float weight;
+  vec3 reflectance;
+  vec3 absorbed;  // by the dielectric beside the film, at normal incidence: it neither reflects nor transmits this light
+};
+
 // The part of a surface that reflects and transmits light: section 5.5.
 struct Glass {
   bool isThin;
   float eta;         // index of refraction beyond the surface, relative to wo's side
-  float all;         // factor of the microfacets with a reflectance of 1
+  vec3 all;          // factor of the microfacets with a reflectance of 1
   vec3 transmitted;  // factor of the microfacets with a transmittance of 1
   vec3 normal;       // reflectance at normal incidence, and its rise to grazing angles
   vec3 grazing;
+  vec3 absorbed;     // of FilmOnGlass
 };
 
 // The lobes of a surface as seen from one direction: section 5.4.

@@ -49,11 +49,15 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   float weight = s.specularWeight;
   vec3 metalNormal = s.baseColour;
   vec3 metalRise = 1.0 - s.baseColour;
+  FilmOnGlass film = FilmOnGlass(0.0, vec3(0.0), vec3(0.0));
   if (kHasFilm && s.filmWeight > 0.0) {
     float cosine = filmCosine(s, wo.z, outside);
-    compensated = addFilm(s, cosine, weight, normal, rise);
+    film.weight = s.filmWeight;
+    film.absorbed = (1.0 - s.filmWeight) * weight * (largest(normal) - normal);
+    compensated = addFilm(s, cosine, weight, normal, rise, film.reflectance);
     float metalWeight = 1.0;
-    addFilm(s, cosine, metalWeight, metalNormal, metalRise);
+    vec3 onMetal;
+    addFilm(s, cosine, metalWeight, metalNormal, metalRise, onMetal);
   }
   if (kHasConductors && s.isConductor) {
     metalNormal = s.baseColour * conductorReflectance(1.0, s.eta, s.kappa);
@@ -72,7 +76,8 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   float diffuse = luminance(lobes.diffuse);
   float transmitting = 0.0;
   if (kHasTransmission) {
-    lobes.glass = glassAt(s, wo, weight * normal, weight * rise, glass, albedo.x, roughness, lobes.alpha, outside);
+    lobes.glass =
+        glassAt(s, wo, weight * normal, weight * rise, film, glass, albedo, roughness, lobes.alpha, outside);
     float reflecting = weight * largest(normal * albedo.x + rise * albedo.y);
     transmitting = glass * mix(luminance(s.baseColour), 1.0, reflecting);
   }
@@ -110,7 +115,7 @@ vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   if (kHasTransmission) {
     float schlick = schlickOf(lobes.glass, cosOH);
     reflectance += glassReflectance(lobes.glass, schlick);
-    share += lobes.glassShare * strongestReflectance(lobes.glass, schlick);
+    share += lobes.glassShare * reflectionProbability(keptByGlass(lobes.glass, schlick));
   }
   pdf = lobes.diffuseShare * (wi.z / kPi) + share * visibleReflectionPdf(d, wo.z, lengthO);
   vec3 f = lobes.diffuse / kPi + reflectance * (d * visibility(wo, wi, lengthO, lobes.alpha));
@@ -207,8 +212,8 @@ BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
     float cosOH = min(dot(wo, h), 1.0);
     result.wi = 2.0 * cosOH * h - wo;
     if (kHasTransmission && !coated) {
-      float reflectance = strongestReflectance(lobes.glass, schlickOf(lobes.glass, cosOH));
-      transmitted = numbers.x >= 1.0 - lobes.glassShare * (1.0 - reflectance);
+      float reflecting = reflectionProbability(keptByGlass(lobes.glass, schlickOf(lobes.glass, cosOH)));
+      transmitted = numbers.x >= 1.0 - lobes.glassShare * (1.0 - reflecting);
       if (transmitted) result.wi = transmittedDirection(lobes.glass, wo, h, cosOH, result.wi);
     }
   }

@@ -50,10 +50,11 @@ float filmCosine(SurfaceParameters s, float cosO, bool outside) {
   return sqrt(max(0.0, 1.0 - s.ior * s.ior * (1.0 - cosO * cosO)));
 }
 
-// Adds the film to a base with the reflectance `weight` (`normal` + `rise` (1 - x)^5). The weight becomes 1. Returns the
-// reflectance by which multiple scattering is compensated, which was `normal` without the film.
-vec3 addFilm(SurfaceParameters s, float cosine, inout float weight, inout vec3 normal, inout vec3 rise) {
-  vec3 covered = filmReflectance(s, cosine, weight * normal);
+// Adds the film to a base with the reflectance `weight` (`normal` + `rise` (1 - x)^5). The weight becomes 1. `covered` is
+// the film's reflectance. Returns that by which multiple scattering is compensated, which was `normal` without the film.
+vec3 addFilm(SurfaceParameters s, float cosine, inout float weight, inout vec3 normal, inout vec3 rise,
+             out vec3 covered) {
+  covered = filmReflectance(s, cosine, weight * normal);
   vec3 compensated = mix(normal, covered, s.filmWeight);
   normal = mix(weight * normal, covered, s.filmWeight);
   rise *= weight * (1.0 - s.filmWeight);

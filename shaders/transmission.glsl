@@ -5,6 +5,7 @@
 #include "microfacets.glsl"
 
 const float kMinVolumeIor = 1.01;
+const float kTransmissionMargin = 1.04;  // below a film, the estimate is less than that below what glass transmits
 
 // Interpolates one of the two glass tables: the energy that rough glass scatters once.
 float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
@@ -31,24 +32,41 @@ float anisotropicGlassAlbedo(vec3 wo, float roughness, float strength, vec2 alph
   return min(1.0, mix(low, anisotropicValue(row + layer, kAnisotropicGlassCells, coordinates), scaled - float(cell)));
 }
 
-// `weight` of the glass among the surface's lobes; `normal` + `rise` (1 - x)^5: reflectance of the dielectric.
-Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, float weight, float white, float roughness,
-              vec2 alpha, bool outside) {
+// The energy that glass below a film scatters once, from `albedo`, that of the same glass without a film.
+vec3 albedoBelowFilm(FilmOnGlass film, float albedo, vec2 white, float ior, bool outside) {
+  float transmitting = albedo;  // if it did not reflect
+  if (outside) {
+    float r = (ior - 1.0) / (ior + 1.0);
+    float reflected = mix(white.y, white.x, r * r);
+    transmitting = (albedo - reflected) / (1.0 - reflected / white.x);
+  }
+  transmitting = min(1.0, kTransmissionMargin * transmitting);
+  return mix(vec3(albedo), mix(vec3(transmitting), vec3(white.x), film.reflectance), film.weight);
+}
+
+// `weight` of the glass among the surface's lobes; `normal` + `rise` (1 - x)^5: reflectance of the dielectric with
+// its film; `white`: albedos of microfacets that reflect 1 and (1 - x)^5.
+Glass glassAt(SurfaceParameters s, vec3 wo, vec3 normal, vec3 rise, FilmOnGlass film, float weight, vec2 white,
+              float roughness, vec2 alpha, bool outside) {
   Glass glass;
   float ior = max(s.ior, kMinVolumeIor);
   glass.isThin = !kHasVolumes || s.isThinWalled;
   glass.eta = glass.isThin ? 1.0 : outside ? ior : 1.0 / ior;
-  float albedo = white;
+  float albedo = white.x;
   if (!glass.isThin) {
     if (kHasAnisotropy && s.anisotropy > 0.0)
       albedo = anisotropicGlassAlbedo(wo, roughness, s.anisotropy, alpha, ior, outside);
     else
       albedo = glassAlbedo(wo.z, roughness, ior, outside);
   }
-  glass.all = weight / albedo;
+  glass.all = vec3(weight / albedo);
+  if (kHasFilm && film.weight > 0.0 && !glass.isThin) {
+    glass.all = weight / albedoBelowFilm(film, albedo, white, ior, outside);
+  }
   glass.transmitted = glass.all * s.baseColour;
   glass.normal = normal;
   glass.grazing = rise;
+  glass.absorbed = film.absorbed;
   return glass;
 }
 
@@ -64,10 +82,19 @@ vec3 glassReflectance(Glass glass, float schlick) {
   return glass.all * (schlick < 0.0 ? vec3(1.0) : glass.normal + glass.grazing * schlick);
 }
 
-// The largest channel of the reflectance, which is the fraction that is not transmitted.
-float strongestReflectance(Glass glass, float schlick) {
-  if (schlick < 0.0) return 1.0;
-  return largest(glass.normal + glass.grazing * schlick);
+// The fraction of light that is not transmitted: without a film, the largest channel of the reflectance.
+vec3 keptByGlass(Glass glass, float schlick) {
+  if (schlick < 0.0) return vec3(1.0);
+  vec3 reflectance = glass.normal + glass.grazing * schlick;
+  if (!kHasFilm) return vec3(largest(reflectance));
+  return reflectance + glass.absorbed * (1.0 - schlick);
+}
+
+// The mean of the channels of keptByGlass(), with which a sampled microfacet reflects. That of equal channels is exact.
+float reflectionProbability(vec3 kept) {
+  if (!kHasFilm) return kept.x;
+  float most = largest(kept);
+  return most - dot(most - kept, vec3(1.0 / 3.0));
 }
 
 // `mirrored` is the direction that h reflects. Not for total reflection.
@@ -84,9 +111,9 @@ vec3 evaluateThinTransmission(Glass glass, vec2 alpha, vec3 wo, vec3 wi, out flo
   vec3 h = unit(wo + mirrored);
   float d = ggxDistribution(h, alpha);
   float lengthO = stretchedLength(wo, alpha);
-  float passing = 1.0 - strongestReflectance(glass, fifthPower(1.0 - min(dot(wo, h), 1.0)));
-  pdf = passing * visibleReflectionPdf(d, wo.z, lengthO);
-  return glass.transmitted * (passing * d * visibility(wo, mirrored, lengthO, alpha));
+  vec3 kept = keptByGlass(glass, fifthPower(1.0 - min(dot(wo, h), 1.0)));
+  pdf = (1.0 - reflectionProbability(kept)) * visibleReflectionPdf(d, wo.z, lengthO);
+  return glass.transmitted * ((1.0 - kept) * d * visibility(wo, mirrored, lengthO, alpha));
 }
 
 vec3 evaluateTransmission(Glass glass, vec2 alpha, vec3 wo, vec3 wi, out float pdf) {
@@ -102,10 +129,10 @@ vec3 evaluateTransmission(Glass glass, vec2 alpha, vec3 wo, vec3 wi, out float p
   float jacobian = -cosI * glass.eta * glass.eta / (sum * sum);
   float d = ggxDistribution(h, alpha);
   float lengthO = stretchedLength(wo, alpha);
-  float passing = 1.0 - strongestReflectance(glass, schlick);
-  pdf = passing * d * 2.0 * cosO / (wo.z + lengthO) * jacobian;
+  vec3 kept = keptByGlass(glass, schlick);
+  pdf = (1.0 - reflectionProbability(kept)) * d * 2.0 * cosO / (wo.z + lengthO) * jacobian;
   float visible = 4.0 * visibility(wo, vec3(wi.xy, -wi.z), lengthO, alpha);
-  return glass.transmitted * (passing * d * visible * cosO * jacobian);
+  return glass.transmitted * ((1.0 - kept) * d * visible * cosO * jacobian);
 }
 
 #endif

@@ -86,10 +86,10 @@ void reportVolumeFaults(const render::RenderStatistics& statistics, const Log& l
                            counted(faults, "ray"), 100 * fraction));
     return;
   }
-  log.warning(
-      fmt::format("{} ({:.2g} % of the samples) hit volumes that are not closed or that overlap; absorption is "
-                  "wrong there",
-                  counted(faults, "ray"), 100 * fraction));
+  log.warning(fmt::format(
+      "{} ({:.2g} % of the samples) hit volumes that are not closed, or that overlap or contain each other; "
+      "each surface refracts as if it bordered on air, and only the volume that a ray entered last absorbs",
+      counted(faults, "ray"), 100 * fraction));
 }
 
 }  // namespace

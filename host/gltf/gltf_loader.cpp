@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "host/core/hash.h"
 #include "host/gltf/default_light.h"
 #include "host/gltf/extensions.h"
@@ -40,10 +43,32 @@ scene::FileFacts factsOf(const UsedExtensions& used, const std::string& view, co
   return facts;
 }
 
+bool hasExtent(const Box& bounds) { return bounds.min != bounds.max; }
+
+// Vertices are rounded to single precision, whose resolution falls with the distance from the origin.
+void warnOfExtent(const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
+  constexpr double kMinSteps = 4096;  // along the diagonal of the model
+  if (!bounds) return;
+  if (!hasExtent(*bounds)) {
+    log.warn("extent", {}, "the model has no extent: all of its vertices are at one point, as with a scale of 0");
+    return;
+  }
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    largest = std::max({largest, std::abs(bounds->min[axis]), std::abs(bounds->max[axis])});
+  const double step = std::ldexp(1.0, std::ilogb(largest) - 23);
+  const double steps = glm::length(bounds->max - bounds->min) / step;
+  if (steps >= kMinSteps) return;
+  log.warn("extent", {},
+           fmt::format("the model is so far from the origin that single precision resolves only 1/{:.0f} of its size "
+                       "({:.2g} units at a distance of {:.2g}); move it, its camera and its lights to the origin",
+                       steps, step, largest));
+}
+
 // Cameras that a program left in the file often show the model as a few pixels, or not at all.
 void warnOfSmallModel(const View& view, const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
   constexpr double kMinCoverage = 0.01;
-  if (!bounds || coverageOf(view.camera, *bounds) >= kMinCoverage) return;
+  if (!bounds || !hasExtent(*bounds) || coverageOf(view.camera, *bounds) >= kMinCoverage) return;
   log.warn("view", {},
            view.description + " shows the model in less than 1 % of the picture; --camera none frames the model");
 }
@@ -69,6 +94,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   scene::Scene& scene = assembly.scene();
   const View view = chooseView(root, nodes, options.camera, assembly.bounds());
   scene.camera = view.camera;
+  warnOfExtent(assembly.bounds(), log);
   if (!options.camera) warnOfSmallModel(view, assembly.bounds(), log);
   const std::string light = lightUp(scene, assembly.bounds(), options);
   warnOfShadows(scene, log);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/reference/anisotropy.h"
+#include "host/reference/facet_scattering.h"
 #include "host/reference/shading_frame.h"
 #include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
@@ -72,10 +73,7 @@ struct PathTracer::Vertex : ShadingFrame {
 
   /// Returns f times the cosine for `wi`, which is in the local frame and on this side.
   BsdfValue valueOf(const dvec3& wi, Side side, Rounding& rounding) const {
-    BsdfValue value;
-    if (!facets || reference::sideOf(wi) == side) value = timesCosine(wi);
-    if (facets) addOtherFacets(wi, side, value);
-    return rounding.bsdfValue(value, roundingUnits());
+    return rounding.bsdfValue(scatteredValue(bsdf, facets, wo, wi, side), roundingUnits());
   }
 
   /// Returns the bound of the rounding error of f and pdf.
@@ -92,24 +90,6 @@ struct PathTracer::Vertex : ShadingFrame {
     return side == Side::reflection ? cosine > 0 : cosine < 0;
   }
   Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
-
- private:
-  // Other facets mirror all lobes but the diffuse one, whose cosine for them is another.
-  void addOtherFacets(const dvec3& wi, Side side, BsdfValue& value) const {
-    const dvec3 mirrorImage = facets->mirrored(wi);
-    const bool isSeen = reference::sideOf(mirrorImage) == side;
-    const BsdfValue mirrored = isSeen ? timesCosine(mirrorImage) : BsdfValue{};
-    double diffuseCosine = 0;
-    if (side == Side::reflection) diffuseCosine = facets->cosineByOthers(wi) - (isSeen ? mirrorImage.z : 0);
-    const BsdfValue diffuse = bsdf.diffuseLobe();
-    value.f += mirrored.f + diffuse.f * diffuseCosine;
-    value.pdf += mirrored.pdf + diffuse.pdf * diffuseCosine;
-  }
-
-  BsdfValue timesCosine(const dvec3& wi) const {
-    const BsdfValue value = bsdf.evaluate(wo, wi);
-    return {value.f * std::abs(wi.z), value.pdf};
-  }
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -328,10 +308,7 @@ PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNu
                                : rounding.sampledDirection(sample.wi);
   if (!sample.isOnItsSide()) return {};
   const Side side = sideOf(sample.wi);
-  if (vertex.facets && !vertex.facets->isOn(side, sample.wi)) {
-    const bool isDiffuse = sample.lobe == render::Lobe::diffuse;
-    sample.wi = isDiffuse ? vertex.facets->scatteredAgain(sample.wi) : vertex.facets->mirrored(sample.wi);
-  }
+  sample.wi = leavingDirection(vertex.facets, sample);
   const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
   const BsdfValue bsdf = vertex.valueOf(sample.wi, side, rounding);
   if (bsdf.pdf == 0) return {};

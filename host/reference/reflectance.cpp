@@ -25,9 +25,10 @@ struct Film {
   double weight;
   double cosine;
 
+  dvec3 reflectanceOver(const dvec3& dimmed) const { return film.reflectance(cosine, dimmed); }
   Reflectance over(const Reflectance& base, double baseWeight) const {
     const dvec3 dimmed = baseWeight * base.normal;
-    const dvec3 normal = glm::mix(dimmed, film.reflectance(cosine, dimmed), weight);
+    const dvec3 normal = glm::mix(dimmed, reflectanceOver(dimmed), weight);
     return {normal, normal + (1 - weight) * baseWeight * (1.0 - base.normal)};
   }
 };
@@ -40,12 +41,14 @@ BaseReflectances::BaseReflectances(const scene::SurfaceParameters& surface, cons
       dielectricCompensation(dielectric.normal),
       metal{surface.baseColour, dvec3(1)} {
   if (surface.filmWeight > 0) {
-    const Film film{{surface.filmIor, surface.filmThickness}, surface.filmWeight, outerCosine(surface, wo.z, outside)};
-    const dvec3 undimmed = (1 - film.weight) * (1 - dielectricWeight) * dielectric.normal;
-    dielectric = film.over(dielectric, dielectricWeight);
+    const Film thin{{surface.filmIor, surface.filmThickness}, surface.filmWeight, outerCosine(surface, wo.z, outside)};
+    const dvec3 undimmed = (1 - thin.weight) * (1 - dielectricWeight) * dielectric.normal;
+    const dvec3 dimmed = dielectricWeight * dielectric.normal;
+    film = {thin.weight, thin.reflectanceOver(dimmed), {(1 - thin.weight) * (largestOf(dimmed) - dimmed), dvec3(0)}};
+    dielectric = thin.over(dielectric, dielectricWeight);
     dielectricCompensation = dielectric.normal + undimmed;
     dielectricWeight = 1;
-    metal = film.over(metal, 1);
+    metal = thin.over(metal, 1);
   }
   if (const auto& conductor = surface.conductor) {
     const dvec3 base(surface.baseColour);

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "host/reference/microfacets.h"
 #include "host/scene/surface_parameters.h"
@@ -25,13 +26,23 @@ inline Reflectance operator*(const dvec3& factor, const Reflectance& reflectance
 }
 inline Reflectance operator*(double factor, const Reflectance& reflectance) { return dvec3(factor) * reflectance; }
 
+inline double largestOf(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
+
+/// A thin film on a dielectric, as seen from one direction.
+struct FilmOnGlass {
+  double weight;
+  dvec3 reflectance;
+  Reflectance absorbed;  ///< by the dielectric beside the film: it neither reflects nor transmits this light
+};
+
 /// The reflectances of a surface's two kinds of base, seen from `wo` through its film. `outside`: wo is on the side to
 /// which the surface is oriented.
 struct BaseReflectances {
   Reflectance dielectric;
   double dielectricWeight;       ///< factor of the dielectric's reflectance; 1 with a film, below which it is included
   dvec3 dielectricCompensation;  ///< reflectance by which the dielectric's multiple scattering is compensated
-  Reflectance metal;             ///< of a conductor: the approximation by which its lobe is chosen
+  std::optional<FilmOnGlass> film;
+  Reflectance metal;  ///< of a conductor: the approximation by which its lobe is chosen
 
   BaseReflectances(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside);
 };

@@ -32,19 +32,41 @@ double anisotropicGlassAlbedo(const AnisotropicCoordinates& coordinates, double 
   return std::min(1.0, interpolateTable(table.data(), fractions, kSizes));
 }
 
+constexpr double kTransmissionMargin = 1.04;  // the estimate is less than that below what glass transmits
+
+// Returns the energy that glass below a film scatters once; `bare` is that of the same glass without a film.
+dvec3 albedoBelowFilm(const FilmOnGlass& film, double bare, const SingleScattering& single, double ior, bool outside) {
+  double transmitting = bare;  // if it did not reflect
+  if (outside) {
+    const Reflectance schlick{dvec3(std::pow((ior - 1) / (ior + 1), 2)), dvec3(1)};
+    const double reflected = schlick.albedo(single).x;
+    transmitting = (bare - reflected) / (1 - reflected / single.white);
+  }
+  transmitting = std::min(1.0, kTransmissionMargin * transmitting);
+  const dvec3 covered = film.reflectance * single.white + (1.0 - film.reflectance) * transmitting;
+  return film.weight * covered + (1 - film.weight) * bare;
+}
+
 }  // namespace
 
-RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const Reflectance& dielectric,
+RoughGlass::RoughGlass(const scene::SurfaceParameters& surface, const BaseReflectances& bases,
                        const Microfacets& microfacets, const dvec3& wo, bool outside, double weight)
-    : microfacets_(microfacets), isThin_(surface.isThinWalled), dielectric_(dielectric), base_(surface.baseColour) {
+    : microfacets_(microfacets),
+      isThin_(surface.isThinWalled),
+      dielectric_(bases.dielectricWeight * bases.dielectric),
+      film_(bases.film),
+      base_(surface.baseColour) {
   const double ior = std::max(double{surface.ior}, energy::kMinVolumeIor);
   if (!isThin_) (outside ? beyond_ : here_) = ior;
-  if (isThin_)
-    factor_ = weight / microfacets.albedo(wo).white;
-  else if (microfacets.isIsotropic())
-    factor_ = weight / glassAlbedo(microfacets, wo.z, ior, outside);
-  else
-    factor_ = weight / anisotropicGlassAlbedo(microfacets.anisotropicCoordinates(wo), ior, outside);
+  const SingleScattering single = microfacets.albedo(wo);
+  if (isThin_) {
+    factor_ = dvec3(weight / single.white);
+    return;
+  }
+  const double albedo = microfacets.isIsotropic()
+                            ? glassAlbedo(microfacets, wo.z, ior, outside)
+                            : anisotropicGlassAlbedo(microfacets.anisotropicCoordinates(wo), ior, outside);
+  factor_ = film_ ? weight / albedoBelowFilm(*film_, albedo, single, ior, outside) : dvec3(weight / albedo);
 }
 
 double RoughGlass::outerCosine(double cosine) const {
@@ -61,9 +83,16 @@ dvec3 RoughGlass::schlick(double cosine) const {
 
 dvec3 RoughGlass::reflectance(double cosine) const { return factor_ * schlick(cosine); }
 
-double RoughGlass::strongest(double cosine) const {
+dvec3 RoughGlass::kept(double cosine) const {
   const dvec3 f = schlick(cosine);
-  return std::max({f.x, f.y, f.z});
+  if (!film_) return dvec3(largestOf(f));
+  return f + film_->absorbed.at(outerCosine(cosine));
+}
+
+// The mean of the channels. Without a film, the channels are equal.
+double RoughGlass::reflectionProbability(double cosine) const {
+  const dvec3 k = kept(cosine);
+  return film_ ? (k.x + k.y + k.z) / 3 : k.x;
 }
 
 dvec3 RoughGlass::transmit(const dvec3& wo, const dvec3& h) const {
@@ -81,10 +110,11 @@ BsdfValue RoughGlass::evaluate(const dvec3& wo, const dvec3& wi) const {
 BsdfValue RoughGlass::evaluateThin(const dvec3& wo, const dvec3& wi) const {
   const dvec3 mirrored(wi.x, wi.y, -wi.z);
   const dvec3 h = normalize(wo + mirrored);
-  const double passing = 1 - strongest(dot(wo, h));
+  const double cosine = dot(wo, h);
+  const dvec3 passing = 1.0 - kept(cosine);
   const double shape = microfacets_.distribution(h) * microfacets_.maskingShadowing(wo, mirrored);
   return {factor_ * passing * shape / (4 * wo.z * mirrored.z) * base_,
-          passing * microfacets_.normalPdf(wo, h) / (4 * dot(wo, h))};
+          (1 - reflectionProbability(cosine)) * microfacets_.normalPdf(wo, h) / (4 * cosine)};
 }
 
 BsdfValue RoughGlass::evaluateRefracted(const dvec3& wo, const dvec3& wi) const {
@@ -92,12 +122,12 @@ BsdfValue RoughGlass::evaluateRefracted(const dvec3& wo, const dvec3& wi) const 
   if (h.z < 0) h = -h;
   const double cosO = dot(wo, h), cosI = dot(wi, h);
   if (cosO <= 0 || cosI >= 0) return {};
-  const double passing = 1 - strongest(cosO);
+  const dvec3 passing = 1.0 - kept(cosO);
   const double sum = here_ * cosO + beyond_ * cosI;
   const double solidAngle = beyond_ * beyond_ * -cosI / (sum * sum);  // of half vectors for that of directions
   const double g = microfacets_.maskingShadowing(wo, {wi.x, wi.y, -wi.z});
-  const double f = passing * microfacets_.distribution(h) * g * cosO * solidAngle / (wo.z * -wi.z);
-  return {factor_ * f * base_, passing * microfacets_.normalPdf(wo, h) * solidAngle};
+  const dvec3 f = passing * microfacets_.distribution(h) * g * cosO * solidAngle / (wo.z * -wi.z);
+  return {factor_ * f * base_, (1 - reflectionProbability(cosO)) * microfacets_.normalPdf(wo, h) * solidAngle};
 }
 
 }  // namespace candela::reference

@@ -9,15 +9,15 @@ namespace candela::reference {
 
 class RoughGlass {
  public:
-  /// `dielectric`: reflectance from outside. `weight` of the glass among the surface's parts; `outside`: wo is on the
+  /// `bases`: reflectances from outside. `weight` of the glass among the surface's parts; `outside`: wo is on the
   /// side to which the surface is oriented.
-  RoughGlass(const scene::SurfaceParameters& surface, const Reflectance& dielectric, const Microfacets& microfacets,
+  RoughGlass(const scene::SurfaceParameters& surface, const BaseReflectances& bases, const Microfacets& microfacets,
              const dvec3& wo, bool outside, double weight);
 
   /// Returns the factor of microfacets that reflect, for wo.h = `cosine`, their weight and compensation included.
   dvec3 reflectance(double cosine) const;
-  /// Returns the reflectance's largest channel, with which a sampled microfacet reflects.
-  double strongest(double cosine) const;
+  /// Returns the probability with which a sampled microfacet reflects, not transmits.
+  double reflectionProbability(double cosine) const;
   /// Returns the direction in which a microfacet transmits light, if its reflection is not total.
   dvec3 transmit(const dvec3& wo, const dvec3& h) const;
   /// Returns f and the density of transmit() for a direction below the surface.
@@ -27,6 +27,8 @@ class RoughGlass {
   /// Returns the cosine on the side of the lower index of refraction; nothing is refracted if it is 0.
   double outerCosine(double cosine) const;
   dvec3 schlick(double cosine) const;
+  /// Returns the fraction of light that is not transmitted.
+  dvec3 kept(double cosine) const;
   BsdfValue evaluateThin(const dvec3& wo, const dvec3& wi) const;
   BsdfValue evaluateRefracted(const dvec3& wo, const dvec3& wi) const;
 
@@ -35,8 +37,9 @@ class RoughGlass {
   double here_ = 1;    ///< index of refraction on wo's side
   double beyond_ = 1;  ///< and on the other
   Reflectance dielectric_;
+  std::optional<FilmOnGlass> film_;
   dvec3 base_;
-  double factor_;  ///< weight and compensation
+  dvec3 factor_;  ///< weight and compensation
 };
 
 }  // namespace candela::reference

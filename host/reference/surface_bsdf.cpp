@@ -9,11 +9,6 @@
 #include "host/reference/sampling.h"
 
 namespace candela::reference {
-namespace {
-
-double largestOf(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
-
-}  // namespace
 
 double coatReflectance(double weight, double cosine) {
   return weight * std::lerp(0.04, 1.0, std::pow(std::max(0.0, 1 - cosine), 5));
@@ -27,7 +22,7 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
       metalness_(surface.metalness),
       opaque_((1 - metalness_) * (1 - double{surface.transmissionWeight})),
       bases_(surface, wo, outside),
-      glass_(surface, bases_.dielectricWeight * bases_.dielectric, microfacets_, wo, outside, 1 - metalness_ - opaque_),
+      glass_(surface, bases_, microfacets_, wo, outside, 1 - metalness_ - opaque_),
       filmThickness_(surface.filmWeight > 0 ? surface.filmThickness : 0),
       conductor_(surface.conductor) {
   coat_.share = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
@@ -87,7 +82,7 @@ BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
   double reflecting = specularProbability_;
   if (transmits()) {
     reflectance += glass_.reflectance(cosine);
-    reflecting += glassProbability_ * glass_.strongest(cosine);
+    reflecting += glassProbability_ * glass_.reflectionProbability(cosine);
   }
   BsdfValue value{diffuse_ / kPi + reflectance * shape(microfacets_),
                   diffuseProbability_ * wi.z / kPi + reflecting * microfacets_.normalPdf(wo_, h) / (4 * cosine)};
@@ -111,7 +106,7 @@ SurfaceSample SurfaceBsdf::sample(double choice, const dvec2& u) const {
   const Microfacets& microfacets = coated ? coat_.microfacets : microfacets_;
   const dvec3 h = microfacets.sampleNormal(wo_, u);
   const double cosine = dot(wo_, h);
-  if (!coated && choice >= 1 - glassProbability_ * (1 - glass_.strongest(cosine))) {
+  if (!coated && choice >= 1 - glassProbability_ * (1 - glass_.reflectionProbability(cosine))) {
     return {render::Lobe::refract, glass_.transmit(wo_, h), microfacets.alpha()};
   }
   return {coated ? render::Lobe::coat : render::Lobe::glossy, 2 * cosine * h - wo_, microfacets.alpha()};

@@ -57,7 +57,8 @@ def find_model(scenario, options):
     if options.models:
         for suffix in (model.suffix, ".glb", ".gltf"):
             for found in sorted(options.models.rglob(model.stem + suffix)):
-                return found
+                if found.is_file():
+                    return found
     raise Missing(f"{scenario['model']}: the model is not there; see --root and --models")
 
 
@@ -88,8 +89,8 @@ def render(scenario, output: Path, options):
         with tempfile.TemporaryDirectory() as folder:
             copy, camera = wrap(model, scenario, Path(folder))
             code = subprocess.run(command_of(scenario, model, camera, copy, output, options)).returncode
-    except Missing as missing:
-        print(f"{name}: {missing}", file=sys.stderr)
+    except (Missing, OSError) as error:
+        print(f"{name}: {error}", file=sys.stderr)
         return False
     print(f"{name}: {output}" if code == 0 else f"{name}: candela ended with exit code {code}")
     return code == 0

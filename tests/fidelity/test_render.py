@@ -110,12 +110,18 @@ class RenderTest(unittest.TestCase):
             common = {"model": "../../../elsewhere/box.gltf", "dimensions": {"width": 24, "height": 12},
                       "orbit": {"radius": 12}}
             config = {"scenarios": [{**common, "name": "one"}, {**common, "name": "two", "renderSkybox": True},
-                                    {**common, "name": "three", "model": "../../../none.glb"}]}
+                                    {**common, "name": "three", "model": "../../../none.glb"},
+                                    {**common, "name": "four", "model": "../../../folder"},
+                                    {**common, "name": "five", "model": "../../../broken.glb"}]}
+            (folder / "folder").mkdir()
+            (folder / "broken.glb").symlink_to(folder / "broken.glb")
             (folder / "config.json").write_text(json.dumps(config))
             words = ["--config", folder / "config.json", "--models", folder, "--env", "white", "-o", folder / "out"]
             result = self.run_script(*words, "--", "--device", "cpu", "-q")
             self.assertEqual(result.returncode, 1, result.stderr)
             self.assertIn("three: ../../../none.glb: the model is not there", result.stderr)
+            self.assertIn("four: ../../../folder: the model is not there", result.stderr)
+            self.assertIn("five: ", result.stderr)
             self.assertEqual(png_head(folder / "out/one/candela-golden.png"), (48, 24, 6))
             self.assertEqual(png_head(folder / "out/two/candela-golden.png"), (48, 24, 2))
             result = self.run_script(*words, "--scenario", "TWO", "--", "--device", "cpu", "-q")

@@ -132,6 +132,27 @@ TEST_CASE("a camera of the file that shows less than 1 percent of the model caus
   CHECK(warnsAt(orthographic(6.5, 6.5), 0.5, 100));
 }
 
+TEST_CASE("a model that is too far from the origin for single precision causes a warning, and is otherwise read") {
+  // The triangle's diagonal is sqrt 2. From 2048 on, single precision has steps of 1/4096.
+  const auto loadedAt = [](double x) {
+    GltfFile file = triangleFile();
+    file.root["nodes"][0]["translation"] = {x, 0, 0};
+    return load(file);
+  };
+  CHECK_FALSE(warns(loadedAt(0), "far from the origin"));
+  CHECK_FALSE(warns(loadedAt(-4000), "far from the origin"));
+  CHECK(warns(loadedAt(-5000), "resolves only 1/2896 of its size (0.00049 units at a distance of 5e+03)"));
+  CHECK(warns(loadedAt(1e6), "resolves only 1/23 of its size (0.062 units at a distance of 1e+06)"));
+}
+
+TEST_CASE("a model that is scaled to a point causes a warning about its extent, not about the view") {
+  GltfFile file = triangleFile();
+  file.root["nodes"][0]["scale"] = {0, 0, 0};
+  const scene::LoadedScene loaded = load(file);
+  CHECK(warns(loaded, "the model has no extent: all of its vertices are at one point"));
+  CHECK_FALSE(warns(loaded, "--camera none"));
+}
+
 TEST_CASE("cameras without an extent or of another type are errors") {
   const auto errorOf = [](const json& camera) {
     GltfFile file = withCameras();

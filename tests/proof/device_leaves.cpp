@@ -75,6 +75,7 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
     inputs.emplace_back(vec3(query.wo), number(query.material));
     inputs.emplace_back(query.numbers, query.outside ? 1.0f : 0.0f);
     inputs.emplace_back(query.dispersion.throughput, query.dispersion.number);
+    inputs.emplace_back(vec3(query.geometric), 0);
   }
   const auto rows = side_->leaf.run<vec4>(inputs, 2 * queries.size(), queries.size(), 0);
   std::vector<Scattered> samples(queries.size());
@@ -91,6 +92,7 @@ std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair
     inputs.emplace_back(vec3(pair.wo), number(pair.material));
     inputs.emplace_back(vec3(pair.wi), pair.outside ? 1.0f : 0.0f);
     inputs.emplace_back(pair.dispersion.throughput, pair.dispersion.number);
+    inputs.emplace_back(vec3(pair.geometric), 0);
   }
   const auto rows = side_->leaf.run<vec4>(inputs, 2 * pairs.size(), pairs.size(), 1);
   std::vector<ScatterValue> values;

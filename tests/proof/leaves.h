@@ -44,6 +44,7 @@ struct ScatterQuery {
   glm::vec3 numbers{0};  ///< lobe, bsdf u, v
   bool outside = true;   ///< wo is on the side to which the surface is oriented
   ChannelQuery dispersion{};
+  dvec3 geometric{0};  ///< as in DirectionPair
 };
 struct Scattered {
   render::Lobe lobe = render::Lobe::none;  ///< none: the path ends
@@ -57,9 +58,12 @@ struct DirectionPair {
   dvec3 wi{0, 0, 1};
   bool outside = true;
   ChannelQuery dispersion{};
+  /// 0, or the geometric normal on the side of wo: the local frame is that of a normal map, and wo as its facet sees
+  /// it.
+  dvec3 geometric{0};
 };
 struct ScatterValue {
-  dvec3 f{0};
+  dvec3 f{0};  ///< with a normal map, what takes the place of f |cos|, divided by the cosine to the geometric normal
   double pdf = 0;
 };
 class MaterialLeaves {

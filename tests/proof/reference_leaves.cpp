@@ -4,6 +4,7 @@
 
 #include "host/reference/bsdf.h"
 #include "host/reference/environment_map.h"
+#include "host/reference/facet_scattering.h"
 #include "host/reference/lights.h"
 #include "host/reference/reference_renderer.h"
 #include "host/reference/sampling.h"
@@ -80,11 +81,30 @@ struct MaterialLeaves::Side {
     return {lobe, wi, value.f * wi.z / value.pdf, value.pdf};
   }
 
+  static std::optional<reference::NormalMapFacets> facetsOf(const dvec3& geometric) {
+    if (geometric == dvec3(0)) return std::nullopt;
+    return reference::NormalMapFacets(geometric);
+  }
+
   static Scattered ofSurface(const reference::Bsdf& bsdf, const ScatterQuery& query) {
-    const auto [lobe, wi, alpha] = bsdf.surface()->sample(query.numbers.x, {query.numbers.y, query.numbers.z});
-    const reference::BsdfValue value = bsdf.evaluate(query.wo, wi);
-    if (value.pdf == 0 || (lobe == render::Lobe::refract) != (wi.z < 0)) return {};
-    return {lobe, wi, value.f * std::abs(wi.z) / value.pdf, value.pdf};
+    const reference::SurfaceSample sample = bsdf.surface()->sample(query.numbers.x, {query.numbers.y, query.numbers.z});
+    if (!sample.isOnItsSide()) return {};
+    const auto facets = facetsOf(query.geometric);
+    const dvec3 wi = leavingDirection(facets, sample);
+    const reference::BsdfValue value = scatteredValue(bsdf, facets, query.wo, wi, reference::sideOf(sample.wi));
+    if (value.pdf == 0) return {};
+    return {sample.lobe, wi, value.f / value.pdf, value.pdf};
+  }
+
+  static ScatterValue evaluate(const reference::Bsdf& bsdf, const DirectionPair& pair) {
+    if (pair.geometric == dvec3(0)) {
+      const reference::BsdfValue value = bsdf.evaluate(pair.wo, pair.wi);
+      return {value.f, value.pdf};
+    }
+    const double cosine = dot(pair.wi, pair.geometric);
+    const reference::Side side = cosine < 0 ? reference::Side::transmission : reference::Side::reflection;
+    const reference::BsdfValue value = scatteredValue(bsdf, facetsOf(pair.geometric), pair.wo, pair.wi, side);
+    return {value.f / std::abs(cosine), value.pdf};
   }
 
   static Scattered ofDelta(const reference::DeltaSample& sample) { return {sample.lobe, sample.wi, sample.weight, 0}; }
@@ -108,11 +128,7 @@ std::vector<Scattered> MaterialLeaves::sample(std::span<const ScatterQuery> quer
 std::vector<ScatterValue> MaterialLeaves::evaluate(std::span<const DirectionPair> pairs) const {
   std::vector<ScatterValue> values;
   Side::Vertex vertex(*side_);
-  for (const DirectionPair& pair : pairs) {
-    const reference::Bsdf& bsdf = vertex.bsdf(pair);
-    const reference::BsdfValue value = bsdf.evaluate(pair.wo, pair.wi);
-    values.push_back({value.f, value.pdf});
-  }
+  for (const DirectionPair& pair : pairs) values.push_back(Side::evaluate(vertex.bsdf(pair), pair));
   return values;
 }
 
