@@ -6,8 +6,9 @@
 
 Cycles renders each scene twice: with Principled BSDF, as Blender's importer makes it, and with the nodes of
 cycles_surfaces.py, which are closer to glTF's text. Differences are Candela's minus Cycles', in per cent of Cycles' mean
-radiance. The standard error, of the nodes' column, counts every difference as noise. The folder OUT has the pictures, the maps of FLIP for the nodes,
-and all of them in comparison.png: for each scene Cycles (nodes), Candela, FLIP.
+radiance. The standard error, of the nodes' column, counts every difference as noise. The folder OUT has the pictures, the
+maps of FLIP for the nodes, and all of them in comparison.png: for each scene Cycles (nodes), Candela, FLIP. With
+--albedo, the scenes are those of `gltf_scenes.py --furnace`, and the table has the albedo of each ball instead.
 """
 import argparse
 import json
@@ -21,6 +22,9 @@ from compare_cycles import run_candela, run_cycles
 MONTAGE = Path(__file__).with_name("montage.py")
 SURFACES = ("principled", "gltf")
 CYCLES_SEED = 1
+TABLE_HEAD = ("| scene | Principled BSDF: difference of red, green and blue in % | relMSE | FLIP "
+              "| nodes: difference of red, green and blue in % | relMSE | FLIP | standard error in % |\n"
+              "|---|---|---:|---:|---|---:|---:|---:|")
 
 
 def compare(options, ours, theirs, extra):
@@ -60,6 +64,13 @@ def table_row(options, name):
     return row + f" {error:.2f} |"
 
 
+def albedo_row(options, name):
+    """A ball covers pi/4 of its picture; the rest has the radiance 1."""
+    reports = [compare(options, options.out / f"{name}.exr", options.out / f"{name}-{surfaces}.exr", []) for surfaces in SURFACES]
+    means = [reports[0]["meanLuminance"]] + [report["referenceMeanLuminance"] for report in reports]
+    return f"| {name} |" + "".join(f" {1 - (1 - mean) * 4 / math.pi:.4f} |" for mean in means)
+
+
 def write_montage(options):
     pictures = [options.out / f"{scene.stem}{end}" for scene in options.scenes for end in ("-gltf.exr", ".hdr", "-flip.png")]
     command = ["blender", "-b", "-noaudio", "-P", MONTAGE, "--", options.out / "comparison.png", options.columns, *pictures]
@@ -74,15 +85,14 @@ def main():
     parser.add_argument("--spp", type=int, default=128, help="samples per pixel")
     parser.add_argument("--size", type=int, default=256, help="side of the pictures, pixels; even")
     parser.add_argument("--max-depth", type=int, default=17, help="longest path in rays, the camera's included")
+    parser.add_argument("--albedo", action="store_true", help="print the albedos of balls in a white environment")
     parser.add_argument("--columns", type=int, default=6, help="pictures in a row of comparison.png; a multiple of 3")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
-    print("| scene | Principled BSDF: difference of red, green and blue in % | relMSE | FLIP "
-          "| nodes: difference of red, green and blue in % | relMSE | FLIP | standard error in % |")
-    print("|---|---|---:|---:|---|---:|---:|---:|")
+    print("| ball | Candela | Principled BSDF | nodes |\n|---|---:|---:|---:|" if options.albedo else TABLE_HEAD)
     for scene in options.scenes:
         render(options, scene)
-        print(table_row(options, scene.stem), flush=True)
+        print((albedo_row if options.albedo else table_row)(options, scene.stem), flush=True)
     write_montage(options)
 
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Writes ten small glTF scenes, and the environment of eight of them, for comparisons with other renderers.
 
-    python3 tests/bench/gltf_scenes.py FOLDER
+    python3 tests/bench/gltf_scenes.py FOLDER [--furnace]
 
+With --furnace, it writes single balls in a white environment instead, which show the albedos of their materials.
 Each scene has a camera, and materials that Blender's importer and Principled BSDF know. `asset.extras.environment`
 names the equirectangular image that lights a scene; without it, the scene has lights of its own. The same version of
 this program always writes the same files. docs/gltf.md shows the pictures.
@@ -14,7 +15,7 @@ from pathlib import Path
 
 from gltf_writer import Scene, environment, floor, panel, sphere, texture
 
-SKY = "sky.hdr"
+SKY, WHITE = "sky.hdr", "white.hdr"
 GREY = {"baseColorFactor": [0.5, 0.5, 0.5, 1], "metallicFactor": 0, "roughnessFactor": 1}
 
 
@@ -135,6 +136,28 @@ def sun_and_sky():
     return scene
 
 
+def ball(material, normal_map=None):
+    """It touches the edges of the picture, so that it covers pi/4 of it."""
+    sine = 0.5 / 20
+    scene = Scene(eye=[0, 0, 20], target=[0, 0, 0], yfov=2 * math.asin(sine), sky=WHITE)
+    if normal_map:
+        material["normalTexture"] = {"index": scene.texture(texture(256, normal_map))}
+    scene.add(sphere(0.5), material)
+    return scene
+
+
+def furnace():
+    scenes = {f"dielectric-{colour}-{roughness}": ball(surface([colour] * 3, 0, roughness))
+              for colour, roughness in ((1, 1), (1, 0.1), (0.5, 1), (0, 1), (0, 0.5))}
+    scenes |= {f"metal-{colour}-{roughness}": ball(surface([colour] * 3, 1, roughness))
+               for colour, roughness in ((1, 1), (0.9, 1), (0.5, 1), (0.5, 0.5))}
+    scenes |= {f"glass-{roughness}": ball(glass(roughness)) for roughness in (0, 0.6)}
+    scenes["clearcoat-on-black"] = ball(surface([0, 0, 0], 1, 1, clearcoat={"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}))
+    scenes["bumps-on-metal-1-0.3"] = ball(surface([1, 1, 1], 1, 0.3), bump)
+    scenes["bumps-on-dielectric-1-0.6"] = ball(surface([1, 1, 1], 0, 0.6), bump)
+    return scenes
+
+
 def wave(t):
     return 0.5 - 0.5 * math.cos(2 * math.pi * t)
 
@@ -173,11 +196,17 @@ SCENES = {"metal": metal, "dielectric": dielectric, "clearcoat": clearcoat, "gla
 def main():
     parser = argparse.ArgumentParser(prog="gltf_scenes.py")
     parser.add_argument("folder", type=Path, help="where the files are written; made if it does not exist")
-    folder = parser.parse_args().folder
+    parser.add_argument("--furnace", action="store_true", help="single balls in a white environment")
+    options = parser.parse_args()
+    folder = options.folder
     folder.mkdir(parents=True, exist_ok=True)
-    (folder / SKY).write_bytes(environment(256, 128, sky))
-    for name, build in SCENES.items():
-        (folder / f"{name}.gltf").write_text(json.dumps(build().document()))
+    if options.furnace:
+        (folder / WHITE).write_bytes(environment(16, 8, lambda x, y, z: [1, 1, 1]))
+    else:
+        (folder / SKY).write_bytes(environment(256, 128, sky))
+    scenes = furnace() if options.furnace else {name: build() for name, build in SCENES.items()}
+    for name, scene in scenes.items():
+        (folder / f"{name}.gltf").write_text(json.dumps(scene.document()))
 
 
 if __name__ == "__main__":

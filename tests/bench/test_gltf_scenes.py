@@ -35,14 +35,26 @@ class Scenes(unittest.TestCase):
         return subprocess.run([CANDELA, *map(str, words)], capture_output=True, text=True)
 
     def test_all_are_read_without_warnings(self):
-        subprocess.run([sys.executable, HERE / "gltf_scenes.py", self.folder], check=True)
-        files = sorted(self.folder.glob("*.gltf"))
-        self.assertEqual(len(files), 10)
-        for file in files:
-            result = self.run_candela("check", file)
-            self.assertEqual((result.returncode, result.stderr), (0, ""), file.name)
-            self.assertIn("camera 0 of the file", result.stdout)
-            self.assertNotIn("not used", result.stdout, file.name)
+        for options, count in (([], 10), (["--furnace"], 14)):
+            folder = self.folder / f"{count}"
+            subprocess.run([sys.executable, HERE / "gltf_scenes.py", folder, *options], check=True)
+            files = sorted(folder.glob("*.gltf"))
+            self.assertEqual(len(files), count)
+            for file in files:
+                result = self.run_candela("check", file)
+                self.assertEqual((result.returncode, result.stderr), (0, ""), file.name)
+                self.assertIn("camera 0 of the file", result.stdout)
+                self.assertNotIn("not used", result.stdout, file.name)
+
+    def test_furnace_balls_cover_the_part_of_the_picture_that_albedos_assume(self):
+        (self.folder / "white.hdr").write_bytes(gltf_writer.environment(16, 8, lambda x, y, z: [1, 1, 1]))
+        scene = gltf_scenes.ball({"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 0, 1]}, "extensions": {"KHR_materials_unlit": {}}})
+        (self.folder / "ball.gltf").write_text(json.dumps(scene.document()))
+        result = self.run_candela(self.folder / "ball.gltf", "--env", self.folder / "white.hdr", "--device", "cpu", "--size", "64x64",
+                                  "--spp", 4, "-q", "-o", self.folder / "ball.pfm")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        report = json.loads(self.run_candela("compare", self.folder / "ball.pfm", self.folder / "ball.pfm", "--json", "-").stdout)
+        self.assertAlmostEqual(report["meanLuminance"], 1 - math.pi / 4, delta=0.003)
 
     def test_the_environment_is_seen_where_its_function_has_it(self):
         (self.folder / "sky.hdr").write_bytes(gltf_writer.environment(256, 128, gltf_scenes.sky))
