@@ -41,11 +41,11 @@ def specular_albedo(cosine, roughness, generator):
 
 
 def albedo_image():
-    """The column is the cosine, the row the roughness, each from 0 to 1."""
+    """The column is the cosine, the row the roughness, each from 0 in the middle of the first texel to 1 in that of the last."""
     generator = numpy.random.default_rng(1)
     image = bpy.data.images.new("albedo", SIDE, SIDE, float_buffer=True, is_data=True)
     texels = [(value, value, value, 1) for row in range(SIDE) for column in range(SIDE)
-              for value in [specular_albedo(max((column + 0.5) / SIDE, 0.01), (row + 0.5) / SIDE, generator)]]
+              for value in [specular_albedo(max(column / (SIDE - 1), 0.005), row / (SIDE - 1), generator)]]
     image.pixels = [value for texel in texels for value in texel]
     image.pack()
     return image
@@ -105,7 +105,7 @@ def follow_gltf(material, albedos):
     colour, roughness = value_of(old, "Base Color"), value_of(old, "Roughness")
     shader = graph.mix(value_of(old, "Metallic"), dielectric(graph, colour[:3] if isinstance(colour, tuple) else colour, roughness,
                                                              cosine, normal, albedos),
-                       principled(graph, {"Base Color": colour, "Metallic": 1.0, "Roughness": roughness} | normal))
+                       principled(graph, {"Base Color": colour, "Metallic": 1.0, "Roughness": roughness} | normal, "MULTI_GGX"))
     if value_of(old, "Clearcoat") != 0:
         shader = coated(graph, shader, value_of(old, "Clearcoat"), value_of(old, "Clearcoat Roughness"), cosine)
     emission = value_of(old, "Emission")
@@ -118,17 +118,22 @@ def follow_gltf(material, albedos):
     tree.nodes.remove(old)
 
 
-def principled(graph, inputs):
-    return graph.node("ShaderNodeBsdfPrincipled", inputs, distribution="MULTI_GGX").outputs[0]
+def principled(graph, inputs, distribution):
+    return graph.node("ShaderNodeBsdfPrincipled", inputs, distribution=distribution).outputs[0]
 
 
 def dielectric(graph, colour, roughness, cosine, normal, albedos):
-    """A specular lobe, and a Lambertian one that receives what the former leaves."""
-    place = graph.node("ShaderNodeCombineXYZ", {0: graph.math("ABSOLUTE", cosine), 1: roughness}).outputs[0]
+    """A specular lobe, and a Lambertian one that receives what the former leaves.
+
+    The lobe scatters once: a dielectric scatters hardly any light more often, and with MULTI_GGX, whose probability density
+    Cycles only estimates, the sum of both lobes would be brighter than their pictures together.
+    """
+    place = graph.node("ShaderNodeCombineXYZ", {index: graph.math("MULTIPLY_ADD", value, 1 - 1 / SIDE, 0.5 / SIDE)
+                                                for index, value in enumerate((graph.math("ABSOLUTE", cosine), roughness))}).outputs[0]
     albedo = graph.node("ShaderNodeTexImage", {0: place}, image=albedos, extension="EXTEND").outputs["Color"]
     rest = graph.math("SUBTRACT", 1.0, albedo)
     diffuse = graph.node("ShaderNodeBsdfDiffuse", {"Color": graph.scaled(colour, rest)} | normal).outputs[0]
-    return graph.add(diffuse, principled(graph, {"Base Color": (0, 0, 0, 1), "Roughness": roughness} | normal))
+    return graph.add(diffuse, principled(graph, {"Base Color": (0, 0, 0, 1), "Roughness": roughness} | normal, "GGX"))
 
 
 def coated(graph, base, weight, roughness, cosine):

@@ -151,7 +151,7 @@ def furnace():
               for colour, roughness in ((1, 1), (1, 0.1), (0.5, 1), (0, 1), (0, 0.5))}
     scenes |= {f"metal-{colour}-{roughness}": ball(surface([colour] * 3, 1, roughness))
                for colour, roughness in ((1, 1), (0.9, 1), (0.5, 1), (0.5, 0.5))}
-    scenes |= {f"glass-{roughness}": ball(glass(roughness)) for roughness in (0, 0.6)}
+    scenes |= {f"glass-{roughness}": ball(glass(roughness)) for roughness in (0, 0.3, 0.6)}
     scenes["clearcoat-on-black"] = ball(surface([0, 0, 0], 1, 1, clearcoat={"clearcoatFactor": 1, "clearcoatRoughnessFactor": 0.1}))
     scenes["bumps-on-metal-1-0.3"] = ball(surface([1, 1, 1], 1, 0.3), bump)
     scenes["bumps-on-dielectric-1-0.6"] = ball(surface([1, 1, 1], 0, 0.6), bump)

@@ -13,6 +13,7 @@ import bpy
 import numpy
 
 GAP = 4  # pixels of white between pictures
+LEVELS = 52  # of each channel: noise in 256 levels would double the size of the file
 
 
 def read(path):
@@ -29,7 +30,8 @@ def read(path):
 
 def write_png(path, values):
     height, width, _ = values.shape
-    texels = numpy.round(values[::-1] * 255).astype(numpy.int16)
+    step = 255 // (LEVELS - 1)
+    texels = (numpy.round(values[::-1] * 255 / step) * step).astype(numpy.int16)
     above = numpy.vstack([numpy.zeros_like(texels[:1]), texels[:-1]])
     rows = b"".join(b"\2" + row.astype(numpy.uint8).tobytes() for row in (texels - above) % 256)
 

@@ -35,7 +35,7 @@ class Scenes(unittest.TestCase):
         return subprocess.run([CANDELA, *map(str, words)], capture_output=True, text=True)
 
     def test_all_are_read_without_warnings(self):
-        for options, count in (([], 10), (["--furnace"], 14)):
+        for options, count in (([], 10), (["--furnace"], 15)):
             folder = self.folder / f"{count}"
             subprocess.run([sys.executable, HERE / "gltf_scenes.py", folder, *options], check=True)
             files = sorted(folder.glob("*.gltf"))
