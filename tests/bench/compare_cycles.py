@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Compares the speed of Candela on lavapipe with that of Blender's Cycles on the same scenes, alternately, and prints a table.
 
-    python3 tests/bench/compare_cycles.py CANDELA SCENE... [--spp N] [--size N] [--max-depth N] [--rounds N]
+    python3 tests/bench/compare_cycles.py CANDELA SCENE... [--spp N] [--size N] [--max-depth N] [--rounds N] [--speed-only]
+
+Scenes are glTF files of gltf_scenes.py, and NFF files that cycles.py can read.
 
 Figures are medians over the rounds. The processor's time, user and system of all threads, is what other work on the
 machine changes least; a second is by the clock. Building the scene, compiling kernels and writing files are left out:
@@ -46,10 +48,20 @@ def lavapipe():
     return os.environ | {"VK_DRIVER_FILES": drivers[0], "VK_ICD_FILENAMES": drivers[0]}
 
 
+def light_arguments(scene, tracer):
+    """Options that light a glTF file as it asks in asset.extras.environment, and leave out Candela's default light."""
+    if Path(scene).suffix != ".gltf":
+        return []
+    name = json.loads(Path(scene).read_text())["asset"].get("extras", {}).get("environment")
+    if name:
+        return ["--env", Path(scene).with_name(name)]
+    return ["--env", "white", "--env-scale", "0"] if tracer == "candela" else []
+
+
 def run_candela(options, scene, film, size, spp, seed, extra):
     """Its report, and the processor seconds of the whole process."""
     command = [options.candela, scene, "-q", "-o", film, "--json", "-", "--spp", spp, "--seed", seed,
-               "--size", f"{size}x{size}", "--max-depth", options.max_depth, *extra]
+               "--size", f"{size}x{size}", "--max-depth", options.max_depth, *light_arguments(scene, "candela"), *extra]
     process = subprocess.Popen([str(word) for word in command], env=lavapipe(), stdout=subprocess.PIPE, text=True)
     report = process.stdout.read()
     _, status, usage = os.wait4(process.pid, 0)
@@ -61,7 +73,7 @@ def run_candela(options, scene, film, size, spp, seed, extra):
 def run_cycles(options, scene, film, size, spp, seed, extra):
     """The line of JSON that cycles.py prints."""
     command = ["blender", "-b", "-noaudio", "-P", CYCLES, "--", scene, film, "--spp", spp, "--seed", seed,
-               "--size", size, "--max-depth", options.max_depth, *extra]
+               "--size", size, "--max-depth", options.max_depth, *light_arguments(scene, "cycles"), *extra]
     done = subprocess.run([str(word) for word in command], check=True, capture_output=True, text=True)
     lines = [line for line in done.stdout.splitlines() if line.startswith("cycles: ")]
     if not lines:
@@ -85,7 +97,7 @@ def time_cycles(options, scene, film, seed, runs):
 
 
 def measure(options, scene, folder):
-    all_runs = [Runs(*variant) for variant in VARIANTS]
+    all_runs = [Runs(*variant) for variant in VARIANTS if not (options.speed_only and variant[2])]
     times = {"candela": time_candela, "cycles": time_cycles}
     for seed in range(options.rounds):
         for runs in all_runs:
@@ -115,15 +127,16 @@ def print_table(options, scene, all_runs, errors):
     samples = options.size * options.size * options.spp / 1e6
     print(f"\n{Path(scene).name}: {options.size} x {options.size}, {options.spp} samples per pixel, at most "
           f"{options.max_depth - 1} bounces, medians of {options.rounds}\n")
-    print("| tracer | Msamples per processor second | Msamples/s | rays a sample | relMSE |"
-          " Msamples per processor second / relMSE |")
-    print("|---|---:|---:|---:|---:|---:|")
-    for runs, error in zip(all_runs, errors):
+    print("| tracer | Msamples per processor second | Msamples/s | rays a sample |"
+          + (" relMSE | Msamples per processor second / relMSE |" if errors else ""))
+    print("|---|---:|---:|---:|" + ("---:|---:|" if errors else ""))
+    for index, runs in enumerate(all_runs):
         rays = f"{runs.rays_per_sample:.2f}" if runs.rays_per_sample else ""
         speeds = sorted(samples / seconds for seconds in runs.processor_seconds)
         speed = statistics.median(speeds)
+        noise = f" {errors[index]:.4g} | {speed / errors[index]:.3g} |" if errors else ""
         print(f"| {runs.name} | {speed:.3f} ({speeds[0]:.3f} to {speeds[-1]:.3f})"
-              f" | {samples / statistics.median(runs.seconds):.3f} | {rays} | {error:.4g} | {speed / error:.3g} |")
+              f" | {samples / statistics.median(runs.seconds):.3f} | {rays} |{noise}")
     sys.stdout.flush()
 
 
@@ -135,6 +148,7 @@ def parse_options():
     parser.add_argument("--size", type=int, default=512, help="side of the pictures, pixels")
     parser.add_argument("--max-depth", type=int, default=9, help="longest path in rays, the camera's included")
     parser.add_argument("--rounds", type=int, default=5, help="of all, in turn")
+    parser.add_argument("--speed-only", action="store_true", help="default settings alone, and no relMSE, which takes long")
     return parser.parse_args()
 
 
@@ -143,7 +157,9 @@ def main():
     for scene in options.scenes:
         with tempfile.TemporaryDirectory() as folder:
             all_runs = measure(options, scene, Path(folder))
-            print_table(options, scene, all_runs, relative_errors(options, scene, Path(folder)))
+            errors = [] if options.speed_only else relative_errors(options, scene, Path(folder))
+            print_table(options, scene, all_runs, errors)
 
 
-main()
+if __name__ == "__main__":
+    main()

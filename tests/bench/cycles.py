@@ -1,9 +1,9 @@
 """Renders a scene with Blender's Cycles on the CPU, with Candela's rules, and times it.
 
     blender -b -P tests/bench/cycles.py -- SCENE OUT.exr [--spp N] [--size N] [--max-depth N] [--threads N] [--seed N]
-                                                         [--roulette-start N]
+                                                         [--roulette-start N] [--env FILE] [--surfaces principled|gltf]
 
-Reads what the Cornell boxes consist of (v, b, f, al, p, mesh) and refuses everything else. Prints one line of JSON
+Reads glTF (see cycles_gltf.py), and of NFF what the Cornell boxes consist of (v, b, f, al, p, mesh). Prints one line of JSON
 that begins with `cycles: `: seconds and processor seconds of the path tracing alone, without building the scene or
 writing the file, and samples per second; OUT.exr is linear. Written for Blender 3.4.
 """
@@ -17,6 +17,9 @@ from dataclasses import dataclass, field
 
 import bpy
 from mathutils import Matrix, Vector
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import cycles_gltf  # noqa: E402
 
 VIEW_ENTRIES = {"from": 3, "at": 3, "up": 3, "angle": 1, "hither": 1, "resolution": 2}
 
@@ -214,6 +217,14 @@ def build_black_world():
     bpy.context.scene.world = world
 
 
+def build_scene(scene):
+    build_mesh(scene)
+    for lamp in scene.lamps:
+        build_lamp(*lamp)
+    build_camera(scene.view)
+    build_black_world()
+
+
 def choose_estimator(options):
     """Light samples and lobes with multiple importance weights, unbiased, and the same samples for every pixel."""
     cycles = bpy.context.scene.cycles
@@ -233,6 +244,7 @@ def choose_estimator(options):
     # N bounces of Cycles still sample the lights at the last one: N + 2 rays, the camera's included.
     bounces = options.max_depth - 2
     cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = bounces
+    cycles.transparent_max_bounces = 1024  # they do not count for Candela
 
 
 def choose_picture(options):
@@ -271,20 +283,20 @@ def parse_options():
     parser.add_argument("--max-depth", type=int, default=9, help="longest path in rays, as Candela counts; at least 2")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--env", help="equirectangular image that lights a glTF scene")
+    parser.add_argument("--surfaces", choices=["principled", "gltf"], default="principled", help="see cycles_gltf.py")
     parser.add_argument("--roulette-start", type=int, default=0, help="bounces before Russian roulette; Cycles' own: 0")
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1:])
 
 
 def main():
     options = parse_options()
-    scene = read_scene(options.scene)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.context.scene.render.engine = "CYCLES"
-    build_mesh(scene)
-    for lamp in scene.lamps:
-        build_lamp(*lamp)
-    build_camera(scene.view)
-    build_black_world()
+    if options.scene.endswith(".gltf"):
+        cycles_gltf.load(options.scene, options.env, options.surfaces)
+    else:
+        build_scene(read_scene(options.scene))
     choose_estimator(options)
     choose_picture(options)
     print("cycles: " + json.dumps(render_and_time(options)), flush=True)
