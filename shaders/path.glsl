@@ -121,7 +121,10 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
                                    lit.distance);
   }
   precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
-  shadow = ShadowRay(true, rayFrom(surface, lit.wi), RayEnd(lit.distance, light.slot, lit.point), radiance);
+  float distance = lit.distance;
+  bool isFixed = (kHasPointLights || kHasPunctualLights) && lit.delta && light.kind != kLightDirectional;
+  Ray ray = isFixed ? rayTo(lit.point, surface, lit.wi, distance) : rayFrom(surface, lit.wi);
+  shadow = ShadowRay(true, ray, RayEnd(distance, light.slot, lit.point), radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
 

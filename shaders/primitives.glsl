@@ -168,4 +168,17 @@ Ray rayFrom(Surface surface, vec3 direction) {
   return makeRay(origin, direction, surface.slot | (inward ? kOriginInward : 0u));
 }
 
+// Spawns a ray from a surface to a point, which is at `distance` in the direction wi from the surface. An origin that is
+// moved off the surface has another direction and distance: docs/light-transport.md section 6.
+Ray rayTo(vec3 point, Surface surface, vec3 wi, inout float distance) {
+  Ray ray = rayFrom(surface, wi);
+  if (!kHasFlat || !surface.flatSurface) return ray;
+  precise vec3 toPoint = point - ray.origin;
+  precise float moved = sqrt(dot(toPoint, toPoint));
+  if (moved == 0.0) return ray;
+  distance = moved;
+  precise vec3 direction = toPoint / moved;
+  return makeRay(ray.origin, direction, ray.originSlot);
+}
+
 #endif

@@ -88,7 +88,8 @@ vec3 lightShown(PointLight light, vec3 place, Surface surface, Normals normals, 
   bool faces = distance > 0.0 && dot(normals.shading, wi) > 0.0 && dot(normals.geometric, wi) > 0.0;
   shadow = kShadowNotTraced;
   if (!faces) return vec3(0.0);
-  bool occluded = traceAny(rayFrom(surface, wi), RayEnd(distance, kNoSlot, place), work);
+  Ray ray = rayTo(place, surface, wi, distance);
+  bool occluded = traceAny(ray, RayEnd(distance, kNoSlot, place), work);
   shadow = occluded ? kShadowOccluded : kShadowVisible;
   return occluded ? vec3(0.0) : light.colour * localColour(material, normals, wo, wi);
 }

@@ -16,6 +16,22 @@ double amplificationAt(const std::vector<TrailVertex>& a, const std::vector<Trai
   return std::max(apart, length(a[vertex].direction - b[vertex].direction)) / kRoundoff;
 }
 
+// Returns how many times farther apart the rays of a vertex are than one rounding of the coordinates on the path puts
+// them: the angle between them times the longest segment between two hits, and the distance of their origins, both in
+// units of the largest coordinate or distance of the path.
+double growthAt(const std::vector<TrailVertex>& a, const std::vector<TrailVertex>& b, std::size_t vertex) {
+  double scale = 0;
+  double reach = 0;
+  for (std::size_t i = 0; i <= vertex + 1 && i < a.size(); ++i) {
+    const double travelled = i > 0 ? length(a[i].origin - a[i - 1].origin) : 0;
+    scale = std::max({scale, maxNorm(a[i].origin), travelled});
+    if (i > 1) reach = std::max(reach, travelled);
+  }
+  const double turned = reach * length(a[vertex].direction - b[vertex].direction);
+  const double apart = std::max(length(a[vertex].origin - b[vertex].origin), turned);
+  return scale > 0 ? apart / (scale * kRoundoff) : 0;
+}
+
 render::Replica compare(const Rounding& exact, const Rounding& replica, const dvec3& radiance) {
   const std::vector<TrailVertex>& a = exact.trail();
   const std::vector<TrailVertex>& b = replica.trail();
@@ -24,7 +40,7 @@ render::Replica compare(const Rounding& exact, const Rounding& replica, const dv
   while (next < count && a[next].decisions == b[next].decisions) ++next;
   const bool same = next == count && a.size() == b.size() && exact.decisions() == replica.decisions();
   return {radiance, replica.decisions(), same ? 0 : static_cast<std::uint32_t>(next),
-          static_cast<float>(amplificationAt(a, b, next - 1))};
+          static_cast<float>(amplificationAt(a, b, next - 1)), static_cast<float>(growthAt(a, b, next - 1))};
 }
 
 glm::dvec4 withLuminance(const dvec3& rgb) { return {rgb, image::luminance(rgb)}; }
@@ -32,7 +48,7 @@ glm::dvec4 withLuminance(const dvec3& rgb) { return {rgb, image::luminance(rgb)}
 void add(const render::Replica& replica, const dvec3& exact, render::Deviation& deviation) {
   const glm::dvec4 difference = withLuminance(replica.radiance - exact);
   deviation.undecided += replica.vertex > 0 ? 1 : 0;
-  if (replica.amplification > kAmplified) {
+  if (replica.growth > kAmplified) {
     deviation.amplified += 1;
     deviation.drift += difference;
   } else {

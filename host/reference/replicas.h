@@ -6,7 +6,7 @@
 
 namespace candela::reference {
 
-/// Amplification above which rounding acts as a random shift of the path rather than at one decision.
+/// Growth of errors above which rounding acts as a random shift of the path rather than at one decision.
 inline constexpr double kAmplified = 4096;
 
 /// Traces the sample at `place` exactly, which is returned, and `count` replicas of it. Adds the first replica's

@@ -15,6 +15,9 @@ struct Replica {
   std::uint32_t vertex = 0;
   /// Distance of its ray from the exact one, in units of 2^-24 of their coordinates: at `vertex`, or at the last one.
   float amplification = 0;
+  /// The same distance, along a segment of the path, in units of one rounding of the path's largest coordinate: how far
+  /// the geometry has spread errors, at any distance from the origin.
+  float growth = 0;
 };
 
 /// Differences of replica 1 from the exact sample, summed over the samples of a pixel: red, green, blue, luminance.

@@ -40,8 +40,11 @@ const RegionResult& RegionTests::mostSignificant() const {
 std::string pValueText(double pValue) { return pValue > 0 ? fmt::format("p = {:.1e}", pValue) : "p < 1e-300"; }
 
 std::string differenceText(const RegionResult& result) {
-  const double error = result.referenceMean == 0 ? result.test.standardError
-                                                 : result.test.standardError / std::abs(result.referenceMean);
+  if (result.referenceMean == 0) {
+    return fmt::format("{}: {:.6g}, reference 0 (standard error {:.2g}, p = {:.1e})", regionText(result.region),
+                       result.deviceMean, result.test.standardError, result.test.pValue);
+  }
+  const double error = result.test.standardError / std::abs(result.referenceMean);
   return fmt::format("{}: {:.6g}, reference {:.6g}, {:+.2g} % (standard error {:.2g} %, p = {:.1e})",
                      regionText(result.region), result.deviceMean, result.referenceMean,
                      100 * result.relativeDifference(), 100 * error, result.test.pValue);

@@ -11,6 +11,9 @@
 
 namespace candela::verify {
 
+/// A verdict that could not detect a bias of this fraction of the image mean is weak.
+inline constexpr double kWeakBias = 0.01;
+
 struct VerifyReport {
   std::string scene;
   render::RenderStatistics deviceStatistics;  ///< statistics of the render for question 1
@@ -23,7 +26,9 @@ struct VerifyReport {
   bool interrupted = false;
 
   bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
-  /// Returns one sentence with the result and its certainty.
+  /// Returns whether the agreement says little: a bias of kWeakBias may have gone unnoticed, or the picture is black.
+  bool isWeak() const;
+  /// Returns one sentence with the result and its certainty, and another if it is weak.
   std::string verdict() const;
 };
 

@@ -66,6 +66,12 @@ std::string exactText(const VerifyReport& report) {
 std::string differenceVerdict(const VerifyReport& report) {
   if (report.light.differs()) {
     const RegionResult& most = report.light.mostSignificant();
+    if (most.referenceMean == 0) {
+      return fmt::format(
+          "Device and reference do NOT compute the same light: the {} is {:.3g} on the device and black on "
+          "the reference ({}).",
+          regionText(most.region), most.deviceMean, pValueText(most.test.pValue));
+    }
     return fmt::format("Device and reference do NOT compute the same light: the {} is {:.3f} % {} on the device ({}).",
                        regionText(most.region), 100 * std::abs(most.relativeDifference()),
                        most.test.difference > 0 ? "brighter" : "darker", pValueText(most.test.pValue));
@@ -77,6 +83,15 @@ std::string differenceVerdict(const VerifyReport& report) {
         report.paths.decisions.oddDevice);
   }
   return "Device and reference agree with each other, but NOT with the exact result that the scene states.";
+}
+
+// The picture of the reference is black, so that no fraction of its mean could be detected.
+std::string blackVerdict(const RegionResult& image) {
+  if (image.deviceMean == 0) return "Device and reference are both black: no light was compared. This verdict is weak.";
+  return fmt::format(
+      "The reference is black, and the device's mean of {:.2g} may be chance: no light was compared. This verdict is "
+      "weak.",
+      image.deviceMean);
 }
 
 ordered_json lightJson(const LightTestResult& light, const LightTestOptions& options) {
@@ -107,15 +122,23 @@ std::string toXml(const JunitCase& junitCase) {
 
 }  // namespace
 
+bool VerifyReport::isWeak() const {
+  if (!agree()) return false;
+  return light.image().referenceMean == 0 || light.image().detectableBias > kWeakBias;
+}
+
 std::string VerifyReport::verdict() const {
   if (interrupted) return "Interrupted: there is no verdict.";
   if (!agree()) return differenceVerdict(*this);
+  if (light.image().referenceMean == 0) return blackVerdict(light.image());
   const double seen = light.image().detectableBias;
   const std::string limit = light.information < 1 ? " (the run ended before the requested bias could be detected)" : "";
   return fmt::format(
       "Device and reference compute the same light{}: a difference of {:.2g} % of the image mean would have been "
-      "detected with {:.0f} % probability{}.",
-      exact ? ", and it is the exact result" : "", 100 * seen, 100 * kPower, limit);
+      "detected with {:.0f} % probability{}.{}",
+      exact ? ", and it is the exact result" : "", 100 * seen, 100 * kPower, limit,
+      isWeak() ? fmt::format(" This verdict is weak: errors of {:.0f} % may have gone unnoticed.", 100 * kWeakBias)
+               : "");
 }
 
 std::string toText(const VerifyReport& report) {
@@ -131,6 +154,7 @@ ordered_json toJson(const VerifyReport& report) {
   json["driver"] = report.deviceStatistics.driver;
   json["interrupted"] = report.interrupted;
   json["agrees"] = report.interrupted ? ordered_json() : ordered_json(report.agree());
+  json["weak"] = report.interrupted ? ordered_json() : ordered_json(report.isWeak());
   json["verdict"] = report.verdict();
   json["alpha"] = report.options.alpha;
   json["bias"] = report.light.bias;

@@ -4,11 +4,14 @@
 #include "tests/reference/touching_lights.h"
 
 #include "host/verify/agreement.h"
+#include "tests/render/added_lights.h"
 #include "tests/render/both_tracers.h"
 
 using namespace candela;
 using namespace candela::device;
 using glm::vec3;
+using test::addPointLight;
+using test::addSpotLight;
 using test::SceneBuilder;
 using test::Shifted;
 
@@ -23,21 +26,8 @@ render::RenderSettings directLight() {
   return settings;
 }
 
-using AddLight = std::function<void(SceneBuilder&, const vec3&)>;
-
-void addPointLight(SceneBuilder& b, const vec3& position) { b.pointLight(position, {1, 2, 3}); }
-
-void addSpotLight(SceneBuilder& b, const vec3& position) {
-  b.scene.punctualLights.push_back({.kind = scene::PunctualLight::Kind::spot,
-                                    .position = position,
-                                    .direction = {0, 0, -1},
-                                    .intensity = {20, 30, 40},
-                                    .versineInner = 0.99f,
-                                    .versineOuter = 1});
-}
-
 scene::Scene sceneOf(const test::TouchedSurface* surface, const vec3& shift, const vec3& light,
-                     const AddLight& addLight) {
+                     const test::AddLight& addLight) {
   SceneBuilder b = test::floorUnder(shift);
   if (surface) surface->add({b, shift});
   addLight(b, light);
@@ -62,7 +52,7 @@ Comparison compare(const image::Film& film, const image::Film& alone) {
 }
 
 void checkIlluminates(const RenderFunction& renderScene, const test::TouchedSurface& surface, const vec3& shift,
-                      const AddLight& addLight, const render::RenderSettings& settings) {
+                      const test::AddLight& addLight, const render::RenderSettings& settings) {
   const vec3 light = surface.light + shift;
   CAPTURE(surface.name, shift.x);
   const image::Film alone = renderScene(sceneOf(nullptr, shift, light, addLight), settings).film;

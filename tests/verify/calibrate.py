@@ -2,10 +2,12 @@
 """Counts the false alarms of `candela verify` on an unchanged program, with a fresh seed for each verdict.
 
     python3 tests/verify/calibrate.py --program build/release/candela [--icd FILE] [--verdicts 1000] [--alpha 0.05]
-    python3 tests/verify/calibrate.py --program build/release/candela --sweep
+    python3 tests/verify/calibrate.py --program build/release/candela --sweep [FAMILY ...]
 
-Without --sweep: ten scenes of the project in turn. With it: every kind of `candela generate` at sizes up to some ten
-thousand primitives, and the scenes of tests/scene/spd, by both integrators, once each. Exit code: 0 if the number of
+Without --sweep: ten scenes of the project in turn. With it, once each: every kind of `candela generate` at sizes up to
+some ten thousand primitives (family generated) and the scenes of tests/scene/spd (spd), by both integrators; rooms with a
+mirror ball, 10^3 to 10^6 from the origin, whose light is free or touches a wall, a corner or the ball (translated), by
+both integrators; and the glTF scenes of `candela generate` (gltf). Exit code: 0 if the number of
 alarms is one that the level explains (binomial, probability above 0.001), 1 otherwise, 2 if a run fails.
 """
 import argparse
@@ -26,6 +28,10 @@ SCENES = ["balls", "cornell", "depth_of_field", "lamp_over_plane", "mirror", "mi
 KINDS = {"balls": (1, 2, 3, 4), "mount": (1, 3, 6), "tetra": (1, 3, 6), "rings": (1, 3, 7), "gears": (1, 2, 4),
          "tree": (1, 4, 8, 11), "jacks": (1, 2, 3), "lattice": (1, 4, 12), "shells": (1, 3, 5), "sombrero": (1, 2),
          "teapot": (1, 2, 6), "terrain": (2, 20, 70), "sphere": (1, 10, 40), "cornell": (1, 10, 29)}
+FAMILIES = ("spd", "generated", "translated", "gltf")
+GLTF_KINDS = ("material-table", "material-furnace", "brushed-table", "brilliants", "still-life")
+DISTANCES = (1e3, 1e4, 1e5, 1e6)
+LIGHTS = {"free": (1, -1, 2), "wall": (0, -4, 1), "corner": (4, 4, 4), "ball": (0.54, 0, 0.72)}
 IMPROBABLE = 0.001
 
 
@@ -74,14 +80,46 @@ def seeded_runs(options):
             for index, scene in zip(range(options.verdicts), itertools.cycle(scenes))]
 
 
+def room(light, distance):
+    """Returns the NFF text of a glossy room of side 8 with a mirror ball of radius 0.9, translated along a diagonal."""
+    centre = (distance, distance, -distance)
+
+    def at(*point):
+        return " ".join(repr(c + p) for c, p in zip(centre, point))
+    text = (f"v\nfrom {at(0.5, -3, 0.7)}\nat {at(0, 0, 0)}\nup 0 0 1\nangle 60\nhither 0.01\nresolution 64 64\nb 0 0 0\n"
+            f"l {at(*light)} 1 1 1\nf 0.8 0.7 0.6 0.9 0.1 10 0 1\n")
+    for axis in range(3):
+        for side in (-4, 4):
+            corners = [[a, b] for a, b in ((-4, -4), (4, -4), (4, 4), (-4, 4))]
+            text += "p 4\n" + "".join(at(*corner[:axis], side, *corner[axis:]) + "\n" for corner in corners)
+    return text + f"f 0.2 0.7 0.6 0.1 0.9 100 0 1\ns {at(0, 0, 0)} 0.9\n"
+
+
+def generate(options, kind, size, scene):
+    subprocess.run([options.program, "generate", kind, *size, "-o", str(scene), "-q"], check=True)
+    return scene
+
+
+def family_scenes(options, family, folder):
+    if family == "spd":
+        return sorted((ROOT / "tests/scene/spd").glob("*.nff"))
+    if family == "generated":
+        return [generate(options, kind, ["--size", str(size)], folder / f"{kind}_{size}.nff")
+                for kind, sizes in KINDS.items() for size in sizes]
+    if family == "gltf":
+        return [generate(options, kind, [], folder / f"{kind}.gltf") for kind in GLTF_KINDS]
+    scenes = []
+    for (name, light), distance in itertools.product(LIGHTS.items(), DISTANCES):
+        scenes.append(folder / f"{name}_{distance:g}.nff")
+        scenes[-1].write_text(room(light, distance), encoding="utf-8")
+    return scenes
+
+
 def sweep_runs(options, folder):
-    scenes = sorted((ROOT / "tests/scene/spd").glob("*.nff"))
-    for kind, sizes in KINDS.items():
-        for size in sizes:
-            scenes.append(folder / f"{kind}_{size}.nff")
-            subprocess.run([options.program, "generate", kind, "--size", str(size), "-o", str(scenes[-1]), "-q"], check=True)
     seeds = itertools.count(options.first_seed)
-    return [Run(scene, integrator, next(seeds)) for scene in scenes for integrator in ("path", "whitted")]
+    return [Run(scene, integrator, next(seeds)) for family in options.sweep or FAMILIES
+            for scene in family_scenes(options, family, folder)
+            for integrator in (("path",) if family == "gltf" else ("path", "whitted"))]
 
 
 def execute(options, runs):
@@ -113,10 +151,10 @@ def main():
     parser.add_argument("--first-seed", type=int, default=1)
     parser.add_argument("--time-limit", help="of each verdict, as verify has it")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--sweep", action="store_true")
+    parser.add_argument("--sweep", nargs="*", choices=FAMILIES, metavar="FAMILY", help="families of scenes; none: all")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
-        return execute(options, sweep_runs(options, Path(folder)) if options.sweep else seeded_runs(options))
+        return execute(options, sweep_runs(options, Path(folder)) if options.sweep is not None else seeded_runs(options))
 
 
 if __name__ == "__main__":

@@ -12,9 +12,11 @@ namespace {
 using Catch::Contains;
 
 // Paths are not compared here, because the renderers make only noise.
-VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact = std::nullopt) {
-  const NoiseOptions options{.deviation = 0.5, .factor = [=](std::uint32_t, std::uint32_t) { return deviceFactor; }};
-  NoiseRenderer a(options), b;
+VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact = std::nullopt,
+                      double referenceFactor = 1) {
+  const auto everywhere = [](double factor) { return [=](std::uint32_t, std::uint32_t) { return factor; }; };
+  NoiseRenderer a({.deviation = 0.5, .factor = everywhere(deviceFactor)});
+  NoiseRenderer b({.factor = everywhere(referenceFactor)});
   scene::Scene scene;
   scene.name = "a<b>.p3f";
   render::RenderSettings settings;
@@ -34,6 +36,33 @@ TEST_CASE("an agreement states the difference that would have been detected") {
   CHECK(toJson(report)["agrees"] == true);
   CHECK(toJson(report)["schema"] == "candela-verify/2");
   CHECK_THAT(toText(report), Contains("the scene does not state an exact result"));
+}
+
+TEST_CASE("a verdict is weak if it could not detect 1 %, and says so") {
+  VerifyReport report = reportOf(1);
+  CHECK_FALSE(report.isWeak());
+  CHECK(toJson(report)["weak"] == false);
+  CHECK_THAT(report.verdict(), !Contains("weak"));
+  report.light.regions.front().detectableBias = 0.0101;
+  CHECK(report.isWeak());
+  CHECK(report.agree());
+  CHECK(toJson(report)["weak"] == true);
+  CHECK_THAT(toText(report), Contains("This verdict is weak: errors of 1 % may have gone unnoticed."));
+}
+
+TEST_CASE("two black pictures are said to be black, and not to have the same light") {
+  const VerifyReport report = reportOf(0, std::nullopt, 0);
+  CHECK(report.agree());
+  CHECK(report.isWeak());
+  CHECK_THAT(toText(report), Contains("Device and reference are both black: no light was compared.") &&
+                                 Contains("image mean (luminance): 0, reference 0 (") && !Contains("would have been"));
+}
+
+TEST_CASE("light on a device whose reference is black is stated in absolute terms") {
+  const VerifyReport report = reportOf(1, std::nullopt, 0);
+  CHECK_FALSE(report.agree());
+  CHECK_FALSE(report.isWeak());
+  CHECK_THAT(report.verdict(), Contains("on the device and black on the reference") && !Contains(" %"));
 }
 
 TEST_CASE("a difference is reported with its position, size and sign") {
