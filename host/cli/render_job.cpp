@@ -72,7 +72,7 @@ struct SpecialOption {
   bool (*isRead)(const Arguments& arguments);
   const char* reader;
 };
-constexpr const char* kDevices = "Vulkan devices";
+constexpr const char* kDeviceReader = "Vulkan devices";
 constexpr std::array kSpecialOptions{
     SpecialOption{"--nee", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
                   "--integrator path"},
@@ -100,11 +100,11 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--kernel",
                   [](const Arguments& a) { return usesDevice(a) && usesIntegrator(a, render::Integrator::path); },
                   "Vulkan devices with --integrator path"},
-    SpecialOption{"--loads", usesDevice, kDevices},
-    SpecialOption{"--workgroup", usesDevice, kDevices},
-    SpecialOption{"--segments-per-dispatch", usesDevice, kDevices},
-    SpecialOption{"--hang-timeout", usesDevice, kDevices},
-    SpecialOption{"--fallback", usesDevice, kDevices},
+    SpecialOption{"--loads", usesDevice, kDeviceReader},
+    SpecialOption{"--workgroup", usesDevice, kDeviceReader},
+    SpecialOption{"--segments-per-dispatch", usesDevice, kDeviceReader},
+    SpecialOption{"--hang-timeout", usesDevice, kDeviceReader},
+    SpecialOption{"--fallback", usesDevice, kDeviceReader},
     SpecialOption{"--threads", usesReferenceThreads, "the reference tracer (--device cpu)"},
     SpecialOption{"--env-rotate", usesEnvironment, "the environment of --env"},
     SpecialOption{"--env-scale", usesEnvironment, "the environment of --env"},

@@ -147,7 +147,9 @@ void Engine::restart() {
     view.seconds = 0;
     if (schedule_->isWanted(side)) continue;
     pictures_[indexOf(side)] = std::make_shared<Picture>(next_.size);
-    view = {.hasSession = view.hasSession};
+    const bool hasSession = view.hasSession;
+    view = {};
+    view.hasSession = hasSession;
   }
   next_.difference.reset();
 }
