@@ -160,25 +160,35 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   return surface;
 }
 
+// Origin of a ray that leaves a surface in a direction.
+vec3 spawnOrigin(Surface surface, vec3 direction) {
+  if (!kHasFlat || !surface.flatSurface) return surface.position;
+  return offsetAlong(surface.position, surface.outward, direction);
+}
+
+uint spawnSlot(Surface surface, vec3 direction) {
+  return surface.slot | (dot(surface.outward, direction) < 0.0 ? kOriginInward : 0u);
+}
+
 // Spawns a ray from a surface.
 Ray rayFrom(Surface surface, vec3 direction) {
-  bool inward = dot(surface.outward, direction) < 0.0;
-  vec3 origin = surface.position;
-  if (kHasFlat && surface.flatSurface) origin = offsetAlong(origin, surface.outward, direction);
-  return makeRay(origin, direction, surface.slot | (inward ? kOriginInward : 0u));
+  return makeRay(spawnOrigin(surface, direction), direction, spawnSlot(surface, direction));
 }
 
 // Spawns a ray from a surface to a point, which is at `distance` in the direction wi from the surface. An origin that is
 // moved off the surface has another direction and distance: docs/light-transport.md section 6.
 Ray rayTo(vec3 point, Surface surface, vec3 wi, inout float distance) {
-  Ray ray = rayFrom(surface, wi);
-  if (!kHasFlat || !surface.flatSurface) return ray;
-  precise vec3 toPoint = point - ray.origin;
-  precise float moved = sqrt(dot(toPoint, toPoint));
-  if (moved == 0.0) return ray;
-  distance = moved;
-  precise vec3 direction = toPoint / moved;
-  return makeRay(ray.origin, direction, ray.originSlot);
+  vec3 origin = spawnOrigin(surface, wi);
+  precise vec3 direction = wi;
+  if (kHasFlat && surface.flatSurface) {
+    precise vec3 toPoint = point - origin;
+    precise float moved = sqrt(dot(toPoint, toPoint));
+    if (moved > 0.0) {
+      distance = moved;
+      direction = toPoint / moved;
+    }
+  }
+  return makeRay(origin, direction, spawnSlot(surface, wi));
 }
 
 #endif
