@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kPairs = 20000;
 
-// Of |f(a, b) - f(b, a)| divided by the mean of both, over uniform pairs of directions.
+// Statistics of |f(a, b) - f(b, a)| divided by the mean of both, over uniform pairs of directions.
 struct Asymmetry {
   double median;
   double largest;
