@@ -123,7 +123,7 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
   float distance = lit.distance;
   bool isFixed = (kHasPointLights || kHasPunctualLights) && lit.delta && light.kind != kLightDirectional;
-  Ray ray = isFixed ? rayTo(lit.point, surface, lit.wi, distance) : rayFrom(surface, lit.wi);
+  Ray ray = shadowRayFrom(surface, lit.wi, isFixed, lit.point, distance);
   shadow = ShadowRay(true, ray, RayEnd(distance, light.slot, lit.point), radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }

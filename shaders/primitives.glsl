@@ -175,17 +175,18 @@ Ray rayFrom(Surface surface, vec3 direction) {
   return makeRay(spawnOrigin(surface, direction), direction, spawnSlot(surface, direction));
 }
 
-// Spawns a ray from a surface to a point, which is at `distance` in the direction wi from the surface. An origin that is
-// moved off the surface has another direction and distance: docs/light-transport.md section 6.
-Ray rayTo(vec3 point, Surface surface, vec3 wi, inout float distance) {
+// Spawns a ray from a surface in the direction wi. With `hasEnd`, it ends at the point `end`, whose distance from the
+// surface is `distance`: a ray whose origin is moved off the surface has another direction and distance
+// (docs/light-transport.md section 6).
+Ray shadowRayFrom(Surface surface, vec3 wi, bool hasEnd, vec3 end, inout float distance) {
   vec3 origin = spawnOrigin(surface, wi);
   precise vec3 direction = wi;
-  if (kHasFlat && surface.flatSurface) {
-    precise vec3 toPoint = point - origin;
-    precise float moved = sqrt(dot(toPoint, toPoint));
+  if (kHasFlat && hasEnd && surface.flatSurface) {
+    precise vec3 toEnd = end - origin;
+    precise float moved = sqrt(dot(toEnd, toEnd));
     if (moved > 0.0) {
       distance = moved;
-      direction = toPoint / moved;
+      direction = toEnd / moved;
     }
   }
   return makeRay(origin, direction, spawnSlot(surface, wi));
