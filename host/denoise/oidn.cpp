@@ -16,8 +16,7 @@ namespace {
 constexpr const char* kLibrary = "libOpenImageDenoise.so.2";
 constexpr const char* kRemedy =
     "unpack a release of https://github.com/RenderKit/oidn and add its folder `lib` to LD_LIBRARY_PATH, or use "
-    "--denoise "
-    "without a value";
+    "--denoise without a value";
 
 // Values of OIDNDeviceType and OIDNFormat.
 constexpr int kCpuDevice = 1;
