@@ -1,7 +1,8 @@
-// ASCII letters in lower case. Other bytes stay as they are.
+// ASCII letters in lower case, and comparisons that ignore their case. Other bytes stay as they are.
 #pragma once
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 namespace candela {
 
@@ -10,6 +11,10 @@ constexpr char lowerLetter(char c) { return c >= 'A' && c <= 'Z' ? static_cast<c
 inline std::string lowerCase(std::string text) {
   std::ranges::transform(text, text.begin(), lowerLetter);
   return text;
+}
+
+inline bool equalsIgnoringCase(std::string_view a, std::string_view b) {
+  return std::ranges::equal(a, b, {}, lowerLetter, lowerLetter);
 }
 
 }  // namespace candela

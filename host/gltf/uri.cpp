@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "host/core/lower_case.h"
+
 namespace candela::gltf {
 namespace {
 
 constexpr std::string_view kDataScheme = "data:";
 constexpr std::string_view kBase64Marker = ";base64";
-
-/// Compares texts. Only ASCII letters have two cases.
-bool equalsIgnoringCase(std::string_view a, std::string_view b) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
-  return std::ranges::equal(a, b, {}, lower, lower);
-}
 
 std::optional<std::uint32_t> base64Digit(char c) {
   if (c >= 'A' && c <= 'Z') return static_cast<std::uint32_t>(c - 'A');

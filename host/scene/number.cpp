@@ -1,9 +1,10 @@
 // Parses numbers of scene files.
 #include "host/scene/number.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
+
+#include "host/core/lower_case.h"
 
 namespace candela::scene {
 namespace {
@@ -27,11 +28,6 @@ ParsedNumber<Real> parseReal(std::string_view text) {
   }
   if (!std::isfinite(value)) return {0, NumberStatus::notFinite};
   return {value, NumberStatus::ok};
-}
-
-bool equalsIgnoringCase(std::string_view text, std::string_view lowerCase) {
-  const auto lower = [](char c) { return static_cast<char>(c | 0x20); };
-  return std::ranges::equal(text, lowerCase, {}, lower);
 }
 
 }  // namespace
