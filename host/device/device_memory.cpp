@@ -18,8 +18,6 @@ namespace {
 // 123 MiB if lavapipe has the kernel in its cache, and 123 to 184 MiB if it compiles it (docs/reliability.md).
 constexpr std::uint64_t kDriverBytes = std::uint64_t{130} << 20;
 
-constexpr const char* kSoftware = "CPU";  // DeviceInfo::type
-
 }  // namespace
 
 std::uint64_t hostMemoryNeed(const scene::Scene& scene, const render::RenderSettings& settings) {
@@ -30,14 +28,14 @@ std::uint64_t hostMemoryNeed(const scene::Scene& scene, const render::RenderSett
 }
 
 std::uint64_t usableMemory(const vulkan::DeviceInfo& info, std::uint64_t hostBytes) {
-  if (info.type != kSoftware) return info.memoryBytes;
+  if (!info.isSoftware()) return info.memoryBytes;
   const std::uint64_t budget = memoryBudget();
   return std::min(info.memoryBytes, budget - std::min(budget, hostBytes));
 }
 
 std::uint64_t predictedMemory(const render::Session& session) {
   const auto* const onDevice = dynamic_cast<const GpuSession*>(&session);
-  if (onDevice == nullptr || onDevice->deviceInfo().type != kSoftware) return 0;
+  if (onDevice == nullptr || !onDevice->deviceInfo().isSoftware()) return 0;
   return onDevice->hostBytes() + onDevice->bufferBytes();
 }
 
@@ -45,7 +43,7 @@ void requireDeviceMemory(const vulkan::DeviceInfo& info, std::uint64_t hostBytes
                          std::uint64_t rowBytes) {
   const std::uint64_t usable = usableMemory(info, hostBytes);
   if (sceneBytes + rowBytes <= usable) return;
-  const std::string besides = info.type == kSoftware
+  const std::string besides = info.isSoftware()
                                   ? fmt::format(", since the driver, the scene and the films take {} of {} MiB",
                                                 hostBytes >> 20, memoryBudget() >> 20)
                                   : "";

@@ -38,8 +38,8 @@ ListedDevices listIn(const std::function<void()>& prepare) {
 
 Check checkDevice(const vulkan::DeviceInfo& device) {
   Check check{fmt::format("device {}", device.index), Status::ok, "", ""};
-  check.text = fmt::format("{} ({}), driver {}, Vulkan {}", device.name,
-                           device.type == "CPU" ? "software" : device.type, device.driver, device.apiVersion);
+  check.text = fmt::format("{} ({}), driver {}, Vulkan {}", device.name, device.isSoftware() ? "software" : device.type,
+                           device.driver, device.apiVersion);
   if (device.usable) return check;
   check.status = Status::warning;
   check.text += "; not usable: " + device.whyNot;

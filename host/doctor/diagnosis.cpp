@@ -21,7 +21,7 @@ void append(Checks& checks, Checks more) {
 }
 
 bool hasHardware(const std::vector<vulkan::DeviceInfo>& devices) {
-  return std::ranges::any_of(devices, [](const vulkan::DeviceInfo& device) { return device.type != "CPU"; });
+  return std::ranges::any_of(devices, [](const vulkan::DeviceInfo& device) { return !device.isSoftware(); });
 }
 
 void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
@@ -63,7 +63,7 @@ std::string Diagnosis::verdict() const {
   switch (code()) {
     case ExitCode::done:
       return fmt::format("A render will work, on {}{}.", device->name,
-                         device->type == "CPU" ? ", in software: the picture is right, but a GPU is faster" : "");
+                         device->isSoftware() ? ", in software: the picture is right, but a GPU is faster" : "");
     case ExitCode::differ:
       return fmt::format("The pictures of {} are WRONG. `--device cpu` renders correct ones without Vulkan.",
                          device->name);

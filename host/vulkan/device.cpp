@@ -74,7 +74,7 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
   const vk::CommandBufferAllocateInfo commandInfo(*commandPool, vk::CommandBufferLevel::ePrimary, 1);
   commands = std::move(handle.allocateCommandBuffers(commandInfo).front());
   fence = handle.createFence({});
-  hangLimit = HangLimit(options.hangTimeout, info.type == "CPU");
+  hangLimit = HangLimit(options.hangTimeout, info.isSoftware());
   if (options.recording == nullptr) return;
   options.recording->robustBufferAccess = options.robustBufferAccess;
   options.recording->subgroupSize = options.subgroupSize;

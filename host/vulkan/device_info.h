@@ -25,6 +25,9 @@ struct DeviceInfo {
   std::uint32_t subgroupSize = 0;
   std::uint32_t minSubgroupSize = 0;  ///< that a compute pipeline may require; 0: it cannot require any
   std::uint32_t maxSubgroupSize = 0;
+
+  /// Returns whether the driver renders on the CPU, so that the device's memory is the host's.
+  bool isSoftware() const { return type == "CPU"; }
 };
 
 /// Returns every device of every Vulkan driver, in the order of the loader. Empty if there is none.
