@@ -39,7 +39,7 @@ class Sessions {
   render::Session& get(std::size_t index, const render::RenderSettings& settings) {
     std::unique_ptr<render::Session>& session = sessions_[index];
     if (session) {
-      session->reset(settings.image.seed);
+      session->reset(settings.image.seed, settings.image.sampleCount);
     } else {
       session = renderer_.prepare(scene_, settings);
     }

@@ -16,6 +16,7 @@
 #include "host/device/specialise.h"
 #include "host/device/wavefront.h"
 #include "host/device/workgroup.h"
+#include "host/flatten/camera_constants.h"
 #include "host/flatten/flatten_hierarchy.h"
 #include "host/render/request.h"
 
@@ -129,11 +130,14 @@ void GpuSession::empty() {
   startCounting();
 }
 
-void GpuSession::reset(std::uint32_t seed) {
+void GpuSession::reset(std::uint32_t seed, std::uint32_t sampleCount) {
+  const bool jittered = settings_.image.jittersPixels();
   settings_.image.seed = seed;
-  cameraRecords_.constants.seed = seed;
-  flat_.constants.seed = seed;
+  settings_.image.sampleCount = sampleCount;
+  flatten::setSampling(cameraRecords_.constants, settings_.image);
+  flat_.constants = cameraRecords_.constants;
   deviceScene_->updateConstants(cameraRecords_);
+  if (band_ && settings_.image.jittersPixels() != jittered) band_->setPipelines(pipelinesOf(kernel_));
   empty();
 }
 

@@ -24,7 +24,7 @@ class GpuSession final : public render::Session {
   bool advance(render::SampleRange range, const render::RenderControl& control) override;
   void restrictTo(const render::PixelMask& mask) override;
   image::Film film() override;
-  void reset(std::uint32_t seed) override;
+  void reset(std::uint32_t seed, std::uint32_t sampleCount) override;
   void setCamera(const scene::Camera& camera) override;
   void setView(const scene::Camera& camera, const render::Extent& size) override;
   void load(const image::Film& film, std::uint32_t first) override;

@@ -1,6 +1,7 @@
-// Computes the constants of the camera for a device.
+// Computes the constants of the camera and of the random numbers for a device.
 #include "host/flatten/camera_constants.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,7 +32,18 @@ float aoDistance(const scene::Camera& camera, const render::ImageSettings& image
   return static_cast<float>(0.25 * glm::distance(glm::dvec3(camera.from), glm::dvec3(camera.at)));
 }
 
+// Returns n of the n x n strata; 0 if there are none.
+std::uint32_t strataPerSide(const render::ImageSettings& image) {
+  if (image.sampler != render::SamplerKind::stratified) return 0;
+  return std::min(static_cast<std::uint32_t>(std::sqrt(static_cast<double>(image.sampleCount))), 256u);
+}
+
 }  // namespace
+
+void setSampling(gpu::RenderConstants& constants, const render::ImageSettings& image) {
+  constants.seed = image.seed;
+  constants.strataPerSide = strataPerSide(image);
+}
 
 void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::ImageSettings& image) {
   const Axis across = axisOf(image.size.width, image.pixelOrigin);

@@ -1,4 +1,5 @@
-// The camera in a kernel's constants: docs/light-transport.md section 3.
+// The constants of a kernel that a session can change: camera and random numbers, docs/light-transport.md sections 3
+// and 1.
 #pragma once
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
@@ -9,5 +10,7 @@ namespace candela::flatten {
 /// Sets everything in `constants` that depends on the camera: its vectors, the lens, and the maximum length of `ao`
 /// rays. All values are computed in double precision and rounded once.
 void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, const render::ImageSettings& image);
+/// Sets everything in `constants` that depends on the seed and on the number of samples.
+void setSampling(gpu::RenderConstants& constants, const render::ImageSettings& image);
 
 }  // namespace candela::flatten

@@ -196,20 +196,12 @@ void copySlotRows(FlatScene& flat) {
   }
 }
 
-// Returns n of the n x n strata (docs/light-transport.md section 1); 0 if there are none.
-std::uint32_t strataPerSide(const render::RenderSettings& settings) {
-  if (settings.image.sampler != render::SamplerKind::stratified) return 0;
-  const auto side = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(settings.image.sampleCount)));
-  return std::min(side, 256u);
-}
-
 void setConstants(const scene::Scene& scene, const render::RenderSettings& settings, gpu::RenderConstants& constants) {
   setCamera(constants, *scene.camera, settings.image);
   constants.background = scene.background;
   constants.imageWidth = settings.image.window().width;
   constants.imageHeight = settings.image.window().height;
-  constants.seed = settings.image.seed;
-  constants.strataPerSide = strataPerSide(settings);
+  setSampling(constants, settings.image);
   constants.maxDepth = settings.image.maxDepth;
   constants.rouletteStart = settings.image.rouletteStart;
   constants.indirectLimit = settings.image.indirectLimit.value_or(0);

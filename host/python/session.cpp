@@ -64,7 +64,7 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
 }
 
 void PythonSession::reset(std::uint32_t seed) {
-  session_->reset(seed);
+  session_->reset(seed, total());
   job_.arguments.request.settings.image.seed = seed;
   first_.reset();
   done_ = wanted_ = 0;

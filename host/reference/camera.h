@@ -11,6 +11,8 @@ class CameraRays {
  public:
   /// Uses the size, pixel origin, filter, lens and antialiasing of `image`.
   CameraRays(const scene::Camera& camera, const render::ImageSettings& image);
+  /// Sets whether rays pass through random points of their pixels.
+  void setJitter(bool jitters) { jitters_ = jitters; }
   Ray generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const;
 
  private:

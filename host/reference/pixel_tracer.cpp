@@ -43,9 +43,11 @@ std::uint32_t PixelTracer::opacityKeyOf(const SampleNumbers& numbers, std::uint3
   return opacityKey(numbers.pixel(), numbers.sample(), image_.seed, vertex, isShadowRay);
 }
 
-void PixelTracer::setSeed(std::uint32_t seed) {
+void PixelTracer::setSampling(std::uint32_t seed, std::uint32_t sampleCount) {
   image_.seed = seed;
+  image_.sampleCount = sampleCount;
   sampler_ = Sampler(image_.sampler, image_.seed, image_.sampleCount);
+  camera_.setJitter(image_.jittersPixels());
 }
 
 void PixelTracer::setCamera(const scene::Camera& camera) {

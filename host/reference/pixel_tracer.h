@@ -35,8 +35,8 @@ class PixelTracer {
   PixelTracer(const scene::Scene& scene, const render::RenderSettings& settings);
   virtual ~PixelTracer() = default;
 
-  /// Sets the seed of the following samples.
-  void setSeed(std::uint32_t seed);
+  /// Sets the seed and the total number of samples per pixel. Must not be called while samples are traced.
+  void setSampling(std::uint32_t seed, std::uint32_t sampleCount);
   /// Moves the camera. Must not be called while samples are traced.
   virtual void setCamera(const scene::Camera& camera);
   /// Sets the image's size for the next call of setCamera().

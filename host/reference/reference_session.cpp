@@ -109,9 +109,10 @@ void ReferenceSession::restrictTo(const render::PixelMask& mask) {
   coverage_.samples = render::FilmCoverage::kUneven;
 }
 
-void ReferenceSession::reset(std::uint32_t seed) {
+void ReferenceSession::reset(std::uint32_t seed, std::uint32_t sampleCount) {
   settings_.image.seed = seed;
-  tracer_->setSeed(seed);
+  settings_.image.sampleCount = sampleCount;
+  tracer_->setSampling(seed, sampleCount);
   empty();
 }
 

@@ -65,8 +65,9 @@ class Session {
   virtual void restrictTo(const PixelMask&) { throw InternalError("the session traces all pixels"); }
   /// Returns the film so far.
   virtual image::Film film() = 0;
-  /// Empties the film and starts again with other random numbers.
-  virtual void reset(std::uint32_t seed) = 0;
+  /// Empties the film and starts again with this seed and this total number of samples per pixel, >= 1. The film then
+  /// equals that of a session prepared with them.
+  virtual void reset(std::uint32_t seed, std::uint32_t sampleCount) = 0;
   /// Empties the film and moves the camera. Only what depends on the camera is computed again. The image size stays the
   /// same; the film then equals that of a session prepared with this camera.
   virtual void setCamera(const scene::Camera& camera) = 0;

@@ -33,19 +33,17 @@ Batches::Batches(Side side, render::Renderer& renderer, const scene::Scene& scen
   for (std::vector<double>& sums : sums_) sums.resize(regions.size());
 }
 
-// One session serves all batches of a look; a batch has other random numbers.
+// One session serves all batches and looks, which have different random numbers.
 bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::RenderControl& control) {
   samples = std::max(samples, minBatchSamples(settings_.image.integrator));
   settings_.image.sampleCount = samples;
-  settings_.image.seed = batchSeed(runSeed_, side_, 0, look);
-  const std::unique_ptr<render::Session> session = renderer_.prepare(scene_, settings_);
   for (std::uint32_t batch = 0; batch < kBatchCount; ++batch) {
     settings_.image.seed = batchSeed(runSeed_, side_, batch, look);
-    if (batch > 0) session->reset(settings_.image.seed);
-    if (!session->advance({0, samples}, control)) return false;
-    statistics_ = session->statistics();
+    session_->reset(settings_.image.seed, samples);
+    if (!session_->advance({0, samples}, control)) return false;
+    statistics_ = session_->statistics();
     render::requireComplete(statistics_);
-    addFilm(session->film(), batch);
+    addFilm(session_->film(), batch);
   }
   samples_ += samples;
   return true;

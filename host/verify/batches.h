@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,8 @@ class Batches {
   Batches(Side side, render::Renderer& renderer, const scene::Scene& scene, const render::RenderSettings& settings,
           std::span<const Region> regions);
 
+  /// Prepares the session of all batches. Must be called once, before render(). Throws as Renderer::prepare() does.
+  void prepare() { session_ = renderer_.prepare(scene_, settings_); }
   /// Adds `samples` samples per pixel, or minBatchSamples() if these are more, to every batch. Returns false if
   /// `control` stopped it; the batches are then unequal and useless. Throws the exceptions of Renderer::render, and
   /// InternalError if work was truncated.
@@ -56,6 +59,7 @@ class Batches {
   const scene::Scene& scene_;
   render::RenderSettings settings_;
   std::uint32_t runSeed_;
+  std::unique_ptr<render::Session> session_;  ///< null before prepare()
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
   render::BadSampleTally badSamples_;

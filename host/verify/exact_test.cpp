@@ -36,6 +36,8 @@ class DeviceMean {
   bool render(double bias, double level, const std::optional<double>& timeLimit, const render::RenderControl& control) {
     TimeLimit limit(timeLimit);
     Stopwatch watch;
+    batches_.prepare();
+    limit.spend(watch.lap());
     std::uint64_t samples = 1;
     for (std::uint32_t look = 0; look < kMaxLooks; ++look) {
       const auto more = static_cast<std::uint32_t>(samples - batches_.samples());

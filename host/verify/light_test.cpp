@@ -35,6 +35,9 @@ class LightTest {
   }
 
   LightTestResult run() {
+    device_.prepare();
+    reference_.prepare();
+    timeLimit_.spend(watch_.lap());
     std::uint64_t samples = kFirstSamples;
     for (std::uint32_t look = 0; look < kMaxLooks; ++look) {
       if (!renderTo(samples, look)) return interrupted();

@@ -27,8 +27,8 @@ class PairedTest {
              const render::RenderControl& control)
       : scene_(scene),
         settings_(settings),
-        device_(device),
-        reference_(reference),
+        deviceRenderer_(device),
+        referenceRenderer_(reference),
         options_(options),
         control_(control),
         regions_(regionsOf(settings.image.size, options.watched)),
@@ -45,6 +45,8 @@ class PairedTest {
   }
 
   LightTestResult run() {
+    prepare();
+    timeLimit_.spend(watch_.lap());
     std::uint64_t samples = samplesPerStep_;
     for (std::uint32_t look = 0; look < kMaxPairedLooks; ++look) {
       result_.interrupted = !renderTo(samples, look);
@@ -79,32 +81,35 @@ class PairedTest {
     return samples_ + divideUp(std::max(wanted, samples_ + 1) - samples_, samplesPerStep_) * samplesPerStep_;
   }
 
+  void prepare() {
+    device_ = deviceRenderer_.prepare(scene_, settings_);
+    render::RenderSettings replicated = settings_;
+    replicated.execution.replicas = 1;
+    reference_ = referenceRenderer_.prepare(scene_, replicated);
+  }
+
   // Every look has separate samples, because some samplers depend on the number of samples of a pixel.
   bool renderTo(std::uint64_t samples, std::uint32_t look) {
-    render::RenderSettings settings = settings_;
-    settings.image.sampleCount = static_cast<std::uint32_t>((samples - samples_) / batches_);
-    settings.image.seed = batchSeed(settings_.image.seed, Side::device, 0, look);
-    const std::unique_ptr<render::Session> device = device_.prepare(scene_, settings);
-    settings.execution.replicas = 1;
-    const std::unique_ptr<render::Session> reference = reference_.prepare(scene_, settings);
+    render::ImageSettings image = settings_.image;
+    image.sampleCount = static_cast<std::uint32_t>((samples - samples_) / batches_);
     for (std::uint32_t batch = 0; batch < batches_; ++batch) {
-      settings.image.seed = batchSeed(settings_.image.seed, Side::device, batch, look);
-      if (batch > 0) device->reset(settings.image.seed);
-      if (batch > 0) reference->reset(settings.image.seed);
-      const render::SampleRange range{0, settings.image.sampleCount};
-      if (!device->advance(range, control_) || !reference->advance(range, control_)) return false;
-      addBatch(*device, *reference, settings.image);
+      image.seed = batchSeed(settings_.image.seed, Side::device, batch, look);
+      device_->reset(image.seed, image.sampleCount);
+      reference_->reset(image.seed, image.sampleCount);
+      const render::SampleRange range{0, image.sampleCount};
+      if (!device_->advance(range, control_) || !reference_->advance(range, control_)) return false;
+      addBatch(image);
     }
     samples_ = samples;
     return true;
   }
 
-  void addBatch(render::Session& device, render::Session& reference, const render::ImageSettings& image) {
-    result_.deviceStatistics = device.statistics();
+  void addBatch(const render::ImageSettings& image) {
+    result_.deviceStatistics = device_->statistics();
     render::requireComplete(result_.deviceStatistics);
-    const image::Film deviceFilm = device.film();
-    const image::Film referenceFilm = reference.film();
-    sums_.add(deviceFilm, referenceFilm, reference.replicas().deviations);
+    const image::Film deviceFilm = device_->film();
+    const image::Film referenceFilm = reference_->film();
+    sums_.add(deviceFilm, referenceFilm, reference_->replicas().deviations);
     result_.badSamples.device.add(deviceFilm, image);
     result_.badSamples.reference.add(referenceFilm, image);
     if (!options_.keepFilms) return;
@@ -154,8 +159,9 @@ class PairedTest {
 
   const scene::Scene& scene_;
   render::RenderSettings settings_;
-  render::Renderer& device_;
-  render::Renderer& reference_;
+  render::Renderer& deviceRenderer_;
+  render::Renderer& referenceRenderer_;
+  std::unique_ptr<render::Session> device_, reference_;  ///< null before prepare()
   const LightTestOptions& options_;
   const render::RenderControl& control_;
   std::vector<Region> regions_;  ///< the tested regions, then the watched one

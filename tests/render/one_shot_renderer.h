@@ -29,7 +29,7 @@ class OneShotRenderer : public render::Renderer {
       return !result_.interrupted;
     }
     image::Film film() override { return result_.film; }
-    void reset(std::uint32_t seed) override { settings_.image.seed = seed; }
+    void reset(std::uint32_t seed, std::uint32_t) override { settings_.image.seed = seed; }
     void setCamera(const scene::Camera&) override { throw std::logic_error("this renderer has no camera"); }
     void load(const image::Film&, std::uint32_t) override { throw std::logic_error("this renderer continues no film"); }
     render::RenderStatistics statistics() override { return result_.statistics; }

@@ -169,13 +169,36 @@ TEST_CASE("a session that is reset renders with the random numbers of the new se
     const std::unique_ptr<render::Session> session = renderer.prepare(scene, sessionSettings());
     CHECK(session->advance({0, kSamples}, {}));
     const std::uint64_t first = session->film().hash();
-    session->reset(77);
+    session->reset(77, kSamples);
     CHECK(session->statistics().samples == 0);
     CHECK(session->advance({0, kSamples}, {}));
     CHECK(session->film().hash() == renderer.render(scene, other, {}).film.hash());
-    session->reset(0);
+    session->reset(0, kSamples);
     CHECK(session->advance({0, kSamples}, {}));
     CHECK(session->film().hash() == first);
+  });
+}
+
+// Strata and the jitter of other integrators than `path` depend on the number of samples.
+TEST_CASE("a session that is reset renders with the new number of samples", "[swiftshader-slow]") {
+  const scene::Scene scene = loadTestScene("cornell.p3f");
+  onAllRenderers([&](render::Renderer& renderer) {
+    for (const render::Integrator integrator : {render::Integrator::path, render::Integrator::whitted}) {
+      render::RenderSettings settings = sessionSettings();
+      settings.image.integrator = integrator;
+      settings.image.maxDepth = render::defaultMaxDepth(integrator);
+      settings.image.sampler = render::SamplerKind::stratified;
+      settings.image.sampleCount = 1;
+      const std::unique_ptr<render::Session> session = renderer.prepare(scene, settings);
+      for (const std::uint32_t samples : {9u, 1u, 4u}) {
+        CAPTURE(static_cast<int>(integrator), samples);
+        settings.image.sampleCount = samples;
+        settings.image.seed = samples;
+        session->reset(samples, samples);
+        CHECK(session->advance({0, samples}, {}));
+        CHECK(session->film().hash() == renderer.render(scene, settings, {}).film.hash());
+      }
+    }
   });
 }
 

@@ -53,7 +53,10 @@ class PairedRenderer final : public render::Renderer {
     }
 
     image::Film film() override { return film_; }
-    void reset(std::uint32_t seed) override { settings_.image.seed = seed; }
+    void reset(std::uint32_t seed, std::uint32_t sampleCount) override {
+      settings_.image.seed = seed;
+      settings_.image.sampleCount = sampleCount;
+    }
     void setCamera(const scene::Camera&) override {}
     void load(const image::Film&, std::uint32_t) override {}
     render::RenderStatistics statistics() override {

@@ -24,7 +24,7 @@ class ReplicaSession final : public render::Session {
 
   bool advance(render::SampleRange, const render::RenderControl&) override { return true; }
   image::Film film() override { throw std::logic_error("not made"); }
-  void reset(std::uint32_t) override {}
+  void reset(std::uint32_t, std::uint32_t) override {}
   void setCamera(const scene::Camera&) override {}
   void load(const image::Film&, std::uint32_t) override {}
   render::RenderStatistics statistics() override { return {}; }

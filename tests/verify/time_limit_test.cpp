@@ -18,6 +18,15 @@ TEST_CASE("a look ends within the time limit at the rate of the last look") {
   CHECK(limit.affordable(22.5, 24, 100) == 24);  // 1.5 s are left, less than one sample takes
 }
 
+TEST_CASE("preparation takes time from the looks, but does not count as the time of their samples") {
+  TimeLimit limit(60.0);
+  limit.spend(40);
+  CHECK(limit.affordable(5, 1, 100) == 4);  // 15 s for three samples
+  TimeLimit none(std::nullopt);
+  none.spend(40);
+  CHECK(none.affordable(5, 1, 100) == 100);
+}
+
 TEST_CASE("a time limit permits whole steps only") {
   TimeLimit limit(10.0);
   CHECK(limit.affordable(4, 16, 64, 16) == 32);

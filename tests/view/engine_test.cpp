@@ -17,7 +17,7 @@ class LostSession final : public render::Session {
     throw DeviceLostError("the device was lost");
   }
   image::Film film() override { return {}; }
-  void reset(std::uint32_t) override {}
+  void reset(std::uint32_t, std::uint32_t) override {}
   void setCamera(const scene::Camera&) override {}
   void setView(const scene::Camera&, const render::Extent&) override {}
   void load(const image::Film&, std::uint32_t) override {}
