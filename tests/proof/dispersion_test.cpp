@@ -215,7 +215,8 @@ TEST_CASE("bodies of white glass with dispersion absorb nothing in any channel")
   }
 }
 
-TEST_CASE("a picture with dispersion is in each channel that of the channel's index without dispersion") {
+TEST_CASE("a picture with dispersion is in each channel that of the channel's index without dispersion",
+          "[swiftshader-slow]") {
   for (const float roughness : {0.05f, 0.25f}) {
     const SurfaceParameters glass = dispersiveGlass(roughness, 1.6f, 3);
     const auto shown = [&](const SurfaceParameters& surface, std::uint32_t seed) {

@@ -125,7 +125,8 @@ TEST_CASE("volumes that are open or overlap are counted") {
   CHECK(renderScene(nested.scene, longPaths(8, 8, 16)).statistics.volumeFaults > 8 * 8 * 16 / 2);
 }
 
-TEST_CASE("bodies of rough glass and of glass with metal absorb less than 1 percent over all their inner reflections") {
+TEST_CASE("bodies of rough glass and of glass with metal absorb less than 1 percent over all their inner reflections",
+          "[swiftshader-slow]") {
   // Light leaves a body of the mixture after about ten reflections.
   const auto body = [](float roughness, float metalness, float transmission) {
     scene::Material material;

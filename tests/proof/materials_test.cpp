@@ -92,7 +92,7 @@ double reflectance(double cosOutside, double ior) {
 
 }  // namespace
 
-TEST_CASE("directions of every lobe and mixture are sampled with the stated density") {
+TEST_CASE("directions of every lobe and mixture are sampled with the stated density", "[swiftshader-slow]") {
   const MaterialLeaves leaves(smoothMaterials());
   const HemisphereGrid grid(kLobeRows, kFiner * kLobeColumns);
   const std::vector<glm::vec3> numbers = randomNumbers(kMaterialSamples, 201);

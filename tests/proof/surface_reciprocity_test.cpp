@@ -199,7 +199,8 @@ TEST_CASE("microfacets before their energy is compensated, and sheen, are recipr
   }
 }
 
-TEST_CASE("glass is reciprocal in both directions, up to factors that depend on only one direction") {
+TEST_CASE("glass is reciprocal in both directions, up to factors that depend on only one direction",
+          "[swiftshader-slow]") {
   // For two directions outside and two inside, these factors cancel in the ratio of the values around the cycle.
   std::vector<scene::Material> materials;
   for (const float roughness : {0.2f, 0.5f, 1.0f}) {

@@ -86,7 +86,9 @@ void checkWatertight(std::size_t raysPerMesh) {
 
 }  // namespace
 
-TEST_CASE("at most two of a hundred thousand rays into each closed mesh miss it") { checkWatertight(100000); }
+TEST_CASE("at most two of a hundred thousand rays into each closed mesh miss it", "[swiftshader-slow]") {
+  checkWatertight(100000);
+}
 
 TEST_CASE("at most two hundred of ten million rays into each closed mesh miss it", "[slow]") {
   checkWatertight(10000000);

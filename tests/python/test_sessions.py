@@ -62,15 +62,15 @@ class Sessions(FolderTest):
         def stop(fraction, samples):
             raise Stop
 
-        options = {"size": (160, 160), "spp": 64, "device": "cpu", "threads": 1}
+        options = {"size": (96, 96), "spp": 32, "device": "cpu", "threads": 1}
         with candela.Session(cornell(), **options) as session:
             with self.assertRaises(Stop):
-                session.advance(32, progress=stop)
+                session.advance(16, progress=stop)
             film = session.film
             self.assertTrue(film.interrupted)
             self.assertEqual(session.done, 0)
-            session.advance(64)
-            self.assertEqual(session.done, 64)
+            session.advance(32)
+            self.assertEqual(session.done, 32)
             self.assertFalse(session.film.interrupted)
             self.assertEqual(session.film.hash, candela.render(cornell(), **options).hash)
 

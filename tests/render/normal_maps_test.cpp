@@ -140,7 +140,7 @@ TEST_CASE("normal maps have the reference's pixels at equal seeds") {
   requireSameBumps(2, false);
 }
 
-TEST_CASE("a white surface below a white sky is white, whatever its normal map") {
+TEST_CASE("a white surface below a white sky is white, whatever its normal map", "[swiftshader-slow]") {
   const vec3 eye = GENERATE(vec3(0.3f, -0.2f, 5), vec3(3, 2, 1), vec3(-5, 1, 0.4f));
   onBothTracers([&](const RenderFunction& render) {
     for (const Looks& looks : kWhite) {
@@ -170,7 +170,7 @@ TEST_CASE("no direction of a normal-mapped surface is black or gains light") {
   });
 }
 
-TEST_CASE("a coat has its own normal map, or none") {
+TEST_CASE("a coat has its own normal map, or none", "[swiftshader-slow]") {
   // The base is black, so that only the coat reflects light: the mirror image of a light on the left in a coat that
   // is not tilted, whatever the map of the base, and in a tilted one that of a light in another place.
   const auto [slot, other] = GENERATE(
@@ -277,7 +277,7 @@ TEST_CASE("specular lobes mirror what is below the surface") {
   });
 }
 
-TEST_CASE("light sampling of a diffuse facet has the mean of paths without it, at a low light") {
+TEST_CASE("light sampling of a diffuse facet has the mean of paths without it, at a low light", "[swiftshader-slow]") {
   // Paths find the light by directions that are scattered again, too.
   SceneBuilder b;
   b.scene.images = {oneTexel(218, 128, 218)};
@@ -295,7 +295,7 @@ TEST_CASE("light sampling of a diffuse facet has the mean of paths without it, a
   });
 }
 
-TEST_CASE("light sampling of normal-mapped surfaces has the mean of paths without it") {
+TEST_CASE("light sampling of normal-mapped surfaces has the mean of paths without it", "[swiftshader-slow]") {
   onBothTracers([](const RenderFunction& render) {
     render::RenderSettings settings = squareSettings(16, 4096);
     settings.image.maxDepth = 2;

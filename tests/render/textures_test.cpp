@@ -183,7 +183,8 @@ TEST_CASE("textures of glass and coats have the reference's pixels at equal seed
   requireSamePixels(scene, 2, render::SamplerKind::sobol, false);
 }
 
-TEST_CASE("light sampling of emitters with coats and vertex colours has the mean of paths without it") {
+TEST_CASE("light sampling of emitters with coats and vertex colours has the mean of paths without it",
+          "[swiftshader-slow]") {
   onBothTracers([](const RenderFunction& render) {
     scene::Scene scene = texturedSurfaces();
     scene.pointLights.clear();
@@ -244,7 +245,7 @@ TEST_CASE("textured emitters have the reference's pixels at equal seeds") {
   requireSamePixels(scene, 3, render::SamplerKind::sobol, false);
 }
 
-TEST_CASE("light sampling of textured emitters has the mean of paths without it") {
+TEST_CASE("light sampling of textured emitters has the mean of paths without it", "[swiftshader-slow]") {
   onBothTracers([](const RenderFunction& render) {
     render::RenderSettings settings = squareSettings(24, 1024);
     const double sampled = meanLuminance(render(texturedLights(), settings).film);

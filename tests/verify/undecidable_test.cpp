@@ -23,7 +23,7 @@ const VerifyReport& mirrorCell() {
   return report;
 }
 
-TEST_CASE("in a cell of mirrors, question 1 can decide no sample and raises no alarm") {
+TEST_CASE("in a cell of mirrors, question 1 can decide no sample and raises no alarm", "[swiftshader-slow]") {
   const PixelAgreement& paths = mirrorCell().paths;
   CAPTURE(paths.decisions.text());
   CHECK(paths.decisions.undecidableShare() > 0.99);
