@@ -26,10 +26,11 @@ Variant variantOf(const char* name, render::RenderSettings settings, render::Acc
 // Returns the structure that was used, not the requested one: the reference has its own BVH, and none for few
 // primitives, and devices trace few primitives as a list of records of one kind.
 std::string structureText(const Measurement& m) {
-  if (m.statistics.layout == "list") return "list (too few primitives for a BVH)";
+  if (m.statistics.layout == render::LayoutInUse::list) return "list (too few primitives for a BVH)";
   if (m.statistics.structure == render::AccelKind::grid) return "uniform grid";
   if (m.statistics.structure == render::AccelKind::none) return "none";
-  return m.statistics.bvhSplit == "sah" ? "BVH, SAH" : "BVH, " + m.statistics.bvhSplit;
+  return m.statistics.bvhSplit == render::SplitInUse::sah ? "BVH, SAH"
+                                                          : fmt::format("BVH, {}", nameOf(m.statistics.bvhSplit));
 }
 
 double structureBytes(const Measurement& measurement) {

@@ -28,13 +28,14 @@ bool isSetting(const Option& option) {
 }
 
 // Films of earlier versions call the list of a small scene "row".
-std::string layoutText(const render::RenderStatistics& statistics) {
-  return statistics.layout == "list" ? "row" : statistics.layout;
+const char* layoutText(render::LayoutInUse layout) {
+  return layout == render::LayoutInUse::list ? "row" : nameOf(layout);
 }
 
 std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
-  return fmt::format("{} {} {} {} density {}", render::structureName(statistics.structure), statistics.bvhSplit,
-                     statistics.bvhQuality, layoutText(statistics), job.settings().structure.gridDensity);
+  return fmt::format("{} {} {} {} density {}", nameOf(statistics.structure), nameOf(statistics.bvhSplit),
+                     nameOf(statistics.bvhQuality), layoutText(statistics.layout),
+                     job.settings().structure.gridDensity);
 }
 
 // Films of versions without these options can be resumed, because films record these options only if they do not

@@ -238,6 +238,12 @@ std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, con
 
 }  // namespace
 
+render::LayoutInUse FlatScene::layout() const {
+  if (uniformSlots > 0) return render::LayoutInUse::list;
+  if (structure == gpu::kStructureBvh) return render::LayoutInUse::bvh2;
+  return structure == gpu::kStructureWideBvh ? render::LayoutInUse::cwbvh : render::LayoutInUse::none;
+}
+
 FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& settings, const FlattenLimits& limits) {
   checkLimits(scene);
   FlatScene flat;

@@ -98,8 +98,9 @@ void confirm(std::uint32_t repeats, const Measure& measure, SearchResult& result
 // Scenes of few primitives are traced as a list, for which all layouts are the same program. Only noise would
 // distinguish them.
 bool hasBvh(const Row& row) {
-  return std::ranges::any_of(
-      row.scenes, [](const bench::SweepRow& scene) { return scene.measurement.statistics.layout != "list"; });
+  return std::ranges::any_of(row.scenes, [](const bench::SweepRow& scene) {
+    return scene.measurement.statistics.layout != render::LayoutInUse::list;
+  });
 }
 
 void dropLayouts(Round& round) {

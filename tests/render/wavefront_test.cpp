@@ -34,8 +34,8 @@ void requireSameCounts(const render::RenderStatistics& waves, const render::Rend
 }
 
 void requireSameAs(const render::RenderResult& mega, const render::RenderResult& waves) {
-  CHECK(mega.statistics.kernel == "megakernel");
-  CHECK(waves.statistics.kernel == "wavefront");
+  CHECK(mega.statistics.kernel == render::KernelInUse::megakernel);
+  CHECK(waves.statistics.kernel == render::KernelInUse::wavefront);
   CHECK(waves.film.hash() == mega.film.hash());
   requireSameCounts(waves.statistics, mega.statistics);
 }
