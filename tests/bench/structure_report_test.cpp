@@ -16,7 +16,7 @@ StructureReport structureReportOf(std::vector<ScriptedRun> script) {
   const std::vector<Variant> variants = structureVariants(render::RenderSettings{});
   StructureReport report;
   for (Measurement& m : measureInterleaved(renderer, scene::Scene{}, variants, 1, {})) {
-    report.rows.push_back({"room", 0x1234, std::move(m), std::nullopt});
+    report.rows.push_back({"room", 0x1234, std::move(m)});
   }
   return report;
 }

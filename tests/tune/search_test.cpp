@@ -28,7 +28,7 @@ class MadeDevice {
       for (const Candidate& candidate : candidates) {
         const auto found = times_.find(nameOf(candidate));
         rows.push_back(madeRow(candidate, found == times_.end() ? kOneSecond : found->second, repeats));
-        for (bench::SweepRow& scene : rows.back().scenes) scene.measurement.statistics.layout = layout;
+        for (bench::RenderRow& scene : rows.back().scenes) scene.measurement.statistics.layout = layout;
       }
       if (afterFirstRound) times_ = *afterFirstRound;
       return rows;
