@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/core/memory_budget.h"
+#include "host/gltf/extensions.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
 #include "host/gltf/skin.h"
