@@ -121,8 +121,8 @@ void requireSameScale(const film::FilmReader& film, const film::FilmHeader& head
 
 template <class T>
 void insertSorted(std::vector<T>& items, const T& item) {
-  const auto place = std::ranges::lower_bound(items, item);
-  if (place == items.end() || *place != item) items.insert(place, item);
+  const auto found = std::ranges::lower_bound(items, item);
+  if (found == items.end() || *found != item) items.insert(found, item);
 }
 
 // Returns the first sample of a film, which must be one that samples can be appended to. `isPart`: the range is that of

@@ -161,8 +161,8 @@ void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t
   for (std::uint64_t first = 0; first < pixels(); first += chunk) {
     std::vector<std::byte> states(std::min(chunk, pixels() - first) * size);
     for (std::uint64_t i = 0; i * size < states.size(); ++i) {
-      const std::uint64_t place = std::uint64_t{width_} * rows_.first + first + i;
-      const bool getsSamples = render::isSelected(mask, place);
+      const std::uint64_t pixel = std::uint64_t{width_} * rows_.first + first + i;
+      const bool getsSamples = render::isSelected(mask, pixel);
       const std::uint32_t index = getsSamples ? firstSample + (film.empty() ? 0 : film[first + i].sampleCount) : kNever;
       std::memcpy(&states[i * size + kSampleIndexOffset], &index, sizeof index);
       samplesBefore_ += index;

@@ -97,26 +97,26 @@ PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& 
   if (scene.environment) environment_.emplace(*scene.environment);
 }
 
-render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint32_t replica) const {
+render::PathTrace PathTracer::trace(const render::PixelSample& sample, std::uint32_t replica) const {
   render::PathTrace trace;
   PathNotes notes(trace);
   Counters uncounted;
-  SampleNumbers numbers = numbersOf(place);
+  SampleNumbers numbers = numbersOf(sample);
   for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i)
     trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
-  Rounding rounding = roundingOf(place, replica);
-  notes.finish(walk(roundedCameraRay(place, numbers, rounding), numbers, uncounted, notes, rounding));
+  Rounding rounding = roundingOf(sample, replica);
+  notes.finish(tracePath(roundedCameraRay(sample, numbers, rounding), numbers, uncounted, notes, rounding));
   return trace;
 }
 
 dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                            Rounding& rounding) const {
   PathNotes notes(outputs.record, outputs.layers);
-  return walk(cameraRay, numbers, counters, notes, rounding);
+  return tracePath(cameraRay, numbers, counters, notes, rounding);
 }
 
-dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
-                       Rounding& rounding) const {
+dvec3 PathTracer::tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
+                            Rounding& rounding) const {
   Ray ray = cameraRay;
   dvec3 radiance(0);
   dvec3 beta(1);
