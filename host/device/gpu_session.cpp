@@ -9,6 +9,7 @@
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
+#include "host/device/band_layout.h"
 #include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
 #include "host/device/hit_lists.h"
