@@ -14,6 +14,7 @@
 
 namespace candela::reference {
 
+struct VertexNumbers;
 class Volumes;
 
 class PathTracer final : public PixelTracer {
@@ -26,8 +27,6 @@ class PathTracer final : public PixelTracer {
   render::PathTrace trace(const render::PixelSample& sample, std::uint32_t replica = 0) const;
 
  private:
-  /// The numbers of one path vertex, named as in shaders/shared/dimensions.h.
-  struct VertexNumbers;
   /// A surface with its material's frame.
   struct Vertex;
   /// The continuation of a path; `pdf` is none for a delta lobe. A weight of 0 ends the path.
