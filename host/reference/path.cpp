@@ -6,6 +6,7 @@
 
 #include "host/reference/anisotropy.h"
 #include "host/reference/facet_scattering.h"
+#include "host/reference/reflectance.h"
 #include "host/reference/shading_frame.h"
 #include "host/reference/vertex_numbers.h"
 #include "host/reference/volumes.h"
@@ -25,8 +26,6 @@ bool isPerfect(const scene::Material& material) {
   if (material.surface) return false;
   return material.mirror || (material.dielectric && !material.diffuse && !material.glossy);
 }
-
-double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
 
 }  // namespace
 
@@ -135,8 +134,7 @@ dvec3 PathTracer::tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counte
     if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
 
     if (depth > settings_.image.rouletteStart) {
-      const double survival = rounding.relative(std::min(1.0, std::sqrt(largestChannel(beta))),
-                                                kRoundingBounds.survival);
+      const double survival = rounding.relative(std::min(1.0, std::sqrt(largestOf(beta))), kRoundingBounds.survival);
       const bool survives = u.roulette() < survival;
       rounding.decide(survives);
       notes.roulette(survival, survives);
@@ -195,7 +193,7 @@ dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNu
 dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) const {
   if (!settings_.image.indirectLimit || scatterings < 2) return contribution;
   const double limit = *settings_.image.indirectLimit;
-  return contribution * (limit / std::max(largestChannel(contribution), limit));
+  return contribution * (limit / std::max(largestOf(contribution), limit));
 }
 
 std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
