@@ -18,24 +18,24 @@ vec3 skyTexel(uvec4 face, int x, int y) {
 
 // Returns the face (right, left, top, bottom, front, back) that the direction's dominant axis selects, and the
 // coordinates (sc, tc) on it. Ties go to x, then to y.
-uint skyFace(vec3 d, out vec2 place) {
+uint skyFace(vec3 d, out vec2 point) {
   vec3 size = abs(d);
   if (size.x >= size.y && size.x >= size.z) {
-    place = vec2(d.x > 0.0 ? -d.z : d.z, d.y) / size.x;
+    point = vec2(d.x > 0.0 ? -d.z : d.z, d.y) / size.x;
     return d.x > 0.0 ? 0u : 1u;
   }
   if (size.y >= size.z) {
-    place = vec2(-d.x, d.y > 0.0 ? -d.z : d.z) / size.y;
+    point = vec2(-d.x, d.y > 0.0 ? -d.z : d.z) / size.y;
     return d.y > 0.0 ? 2u : 3u;
   }
-  place = vec2(d.z > 0.0 ? -d.x : d.x, d.y) / size.z;
+  point = vec2(d.z > 0.0 ? -d.x : d.x, d.y) / size.z;
   return d.z > 0.0 ? 4u : 5u;
 }
 
 vec3 skyRadiance(vec3 direction) {
-  vec2 place;
-  uvec4 face = sceneRow(constants.firstSkyRow + skyFace(direction, place));
-  vec2 texel = 0.5 * vec2(place.x + 1.0, 1.0 - place.y) * vec2(face.xy) - 0.5;
+  vec2 point;
+  uvec4 face = sceneRow(constants.firstSkyRow + skyFace(direction, point));
+  vec2 texel = 0.5 * vec2(point.x + 1.0, 1.0 - point.y) * vec2(face.xy) - 0.5;
   vec2 corner = floor(texel);
   vec2 weight = texel - corner;
   int x = int(corner.x);

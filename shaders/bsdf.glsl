@@ -123,12 +123,12 @@ BsdfSample sampleBsdf(Material m, vec3 wo, bool outside, vec3 numbers) {
   if (kHasMirror && m.mirror) return BsdfSample(vec3(-wo.xy, wo.z), m.specular, 0.0, kLobeMirror);
   float total = weightSum(m);
   if (total <= 0.0) return kAbsorbed;
-  precise float diffuseShare = m.diffuseWeight / total;
-  precise float smoothShare = diffuseShare + m.glossyWeight / total;
-  bool dielectric = m.dielectricWeight > 0.0 && numbers.x >= smoothShare;
+  precise float diffuseProbability = m.diffuseWeight / total;
+  precise float smoothProbability = diffuseProbability + m.glossyWeight / total;
+  bool dielectric = m.dielectricWeight > 0.0 && numbers.x >= smoothProbability;
   if (kHasDielectric && dielectric) return sampleDielectric(m, wo, outside, numbers.y);
   if (kHasDiffuse || kHasGlossy) {
-    bool diffuseLobe = !kHasGlossy || (kHasDiffuse && numbers.x < diffuseShare);
+    bool diffuseLobe = !kHasGlossy || (kHasDiffuse && numbers.x < diffuseProbability);
     return sampleSmoothLobes(m, wo, diffuseLobe, numbers.yz);
   }
   return kAbsorbed;

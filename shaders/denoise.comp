@@ -17,12 +17,12 @@ const float kReflectanceWidth = 0.5;
 const float kGuideNoise = 2.0;
 const float kSmallestVariance = 1e-10;
 
-uint indexOf(ivec2 place) { return uint(place.y) * constants.width + uint(place.x); }
+uint indexOf(ivec2 pixel) { return uint(pixel.y) * constants.width + uint(pixel.x); }
 
-bool isFiltered(ivec2 place) {
-  if (any(lessThan(place, ivec2(0)))) return false;
-  if (any(greaterThanEqual(place, ivec2(constants.width, constants.rows)))) return false;
-  return pixels[indexOf(place)].light.w > 0.0;
+bool isFiltered(ivec2 pixel) {
+  if (any(lessThan(pixel, ivec2(0)))) return false;
+  if (any(greaterThanEqual(pixel, ivec2(constants.width, constants.rows)))) return false;
+  return pixels[indexOf(pixel)].light.w > 0.0;
 }
 
 // Returns the weight of a guide, which is the mean of a vector with its variance.
@@ -73,16 +73,16 @@ float weightOf(ivec2 a, ivec2 b) {
   return guides > 0.0 ? guides * closeness(a, b) * membership(a, b) * other.light.w : 0.0;
 }
 
-vec3 filteredLight(ivec2 place) {
-  vec3 own = pixels[indexOf(place)].light.xyz;
-  if (!isFiltered(place)) return own;
+vec3 filteredLight(ivec2 pixel) {
+  vec3 own = pixels[indexOf(pixel)].light.xyz;
+  if (!isFiltered(pixel)) return own;
   vec3 sum = vec3(0.0);
   float weights = 0.0;
   for (int y = -kDenoiseRadius; y <= kDenoiseRadius; ++y) {
     for (int x = -kDenoiseRadius; x <= kDenoiseRadius; ++x) {
-      ivec2 neighbour = place + ivec2(x, y);
+      ivec2 neighbour = pixel + ivec2(x, y);
       if (!isFiltered(neighbour)) continue;
-      float weight = weightOf(place, neighbour);
+      float weight = weightOf(pixel, neighbour);
       sum += weight * (pixels[indexOf(neighbour)].light.xyz - own);
       weights += weight;
     }
@@ -91,7 +91,7 @@ vec3 filteredLight(ivec2 place) {
 }
 
 void main() {
-  ivec2 place = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, constants.firstRow);
-  if (place.x >= int(constants.width) || place.y >= int(constants.endRow)) return;
-  results[indexOf(place - ivec2(0, constants.firstResultRow))] = vec4(filteredLight(place), 0.0);
+  ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, constants.firstRow);
+  if (pixel.x >= int(constants.width) || pixel.y >= int(constants.endRow)) return;
+  results[indexOf(pixel - ivec2(0, constants.firstResultRow))] = vec4(filteredLight(pixel), 0.0);
 }

@@ -22,8 +22,8 @@ float valueOf(uvec3 sum) {
 void main() {
   uvec2 at = gl_GlobalInvocationID.xy;
   if (at.x >= push.pictureSize.x || at.y >= push.pictureSize.y) return;
-  uvec2 place = at * push.filmSize / push.pictureSize;
-  FilmRows pixel = film[place.y * push.filmSize.x + place.x];
+  uvec2 position = at * push.filmSize / push.pictureSize;
+  FilmRows pixel = film[position.y * push.filmSize.x + position.x];
   uint samples = pixel.red.w;
   if (samples == 0u) return;
   vec3 mean = vec3(valueOf(pixel.red.xyz), valueOf(pixel.green.xyz), valueOf(pixel.blue.xyz)) / float(samples) * push.radianceOfOne;

@@ -89,12 +89,12 @@ void enterNextSlice(float limit) {
   float low = walk.low.x + float(walk.slice) * walk.width;
   float high = walk.low.x + float(walk.slice + 1) * walk.width;
   float enter = ((backward ? high : low) - walk.nearOrigin) * walk.inverse;
-  float leave = ((backward ? low : high) - walk.farOrigin) * walk.inverse;
+  float exit = ((backward ? low : high) - walk.farOrigin) * walk.inverse;
   float end = min(walk.exit, limit);
   walk.finished = max(enter, walk.start) > end || walk.slice < 0 || float(walk.slice) > walk.lastCell.x;
   walk.unfinished = walk.finished ? 0u : 1u;
   vec2 from = walk.origin.yz + max(min(enter, end), walk.start) * walk.direction.yz;
-  vec2 to = walk.origin.yz + max(min(leave, end), walk.start) * walk.direction.yz;
+  vec2 to = walk.origin.yz + max(min(exit, end), walk.start) * walk.direction.yz;
   walk.firstCell = cellsAt(min(from, to) - walk.pad);
   walk.endCell = cellsAt(max(from, to) + walk.pad);
   walk.cell = walk.firstCell;
@@ -105,10 +105,10 @@ void enterNextSlice(float limit) {
 void loadCell() {
   uint cell = uint(walk.slice) * walk.strides.x + walk.cell.x * walk.strides.y + walk.cell.y * walk.strides.z;
   uint row = cell / kCellsPerRow;
-  uint place = cell - kCellsPerRow * row;
+  uint index = cell - kCellsPerRow * row;
   uvec4 starts = sceneRow(constants.firstStructureRow + row);
-  walk.item = place == 0u ? starts.x : place == 1u ? starts.y : starts.z;
-  walk.itemEnd = place == 0u ? starts.y : place == 1u ? starts.z : starts.w;
+  walk.item = index == 0u ? starts.x : index == 1u ? starts.y : starts.z;
+  walk.itemEnd = index == 0u ? starts.y : index == 1u ? starts.z : starts.w;
 }
 
 // Steps to the next cell that the ray may touch before `limit`, or ends the traversal.
@@ -122,8 +122,8 @@ void nextCell(float limit) {
 
 uint gridItem(uint item) {
   uvec4 row = sceneRow(constants.firstItemRow + item / kItemsPerRow);
-  uint place = item % kItemsPerRow;
-  return place < 2u ? (place == 0u ? row.x : row.y) : (place == 2u ? row.z : row.w);
+  uint index = item % kItemsPerRow;
+  return index < 2u ? (index == 0u ? row.x : row.y) : (index == 2u ? row.z : row.w);
 }
 
 // Performs one iteration: steps to the next cell if the current one has no more items.

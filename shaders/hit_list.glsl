@@ -11,10 +11,10 @@ layout(set = 0, binding = kBindingFilm, std430) buffer HitLists { uint listedHit
 // through all surfaces before.
 void listHit(uint pixelIndex, uint sampleIndex, uint depth, uint primitive) {
   uint first = dispatch.bandPixels * (kFilmRows + (kLayerSums != 0u ? kLayerRows : 0u)) * 4u;
-  uint place = first + pixelIndex * kListedHits + sampleIndex % kListedHits;
-  if (depth > 1u && listedHits[place] != kSeenThrough) return;
+  uint index = first + pixelIndex * kListedHits + sampleIndex % kListedHits;
+  if (depth > 1u && listedHits[index] != kSeenThrough) return;
   bool isSeenThrough = kThroughSpecular && seenThrough && primitive != kRecordMiss;
-  listedHits[place] = isSeenThrough ? kSeenThrough : primitive;
+  listedHits[index] = isSeenThrough ? kSeenThrough : primitive;
 }
 
 #endif

@@ -98,8 +98,8 @@ LightSample samplePointLight(Light light, Surface from) {
 float spotFactor(Light light, vec3 wi) {
   vec4 cone = sceneRowFloat(lightRow(constants.lightCount) + uint(light.area));
   vec3 apart = cone.xyz + wi;
-  float share = clamp((cone.w - 0.5 * dot(apart, apart)) * light.radius, 0.0, 1.0);
-  return share * share;
+  float falloff = clamp((cone.w - 0.5 * dot(apart, apart)) * light.radius, 0.0, 1.0);
+  return falloff * falloff;
 }
 
 // Point and spot lights with fall-off, and directional lights.
@@ -112,8 +112,8 @@ LightSample samplePunctualLight(Light light, Surface from) {
   float distance = sqrt(distanceSquared);
   if (distanceSquared == 0.0) return kNoLight;
   vec3 wi = toPoint / distance;
-  float share = light.kind == kLightSpot ? spotFactor(light, wi) : 1.0;
-  return LightSample(wi, light.emission * (share / distanceSquared), distance, light.probability, true, light.position);
+  float falloff = light.kind == kLightSpot ? spotFactor(light, wi) : 1.0;
+  return LightSample(wi, light.emission * (falloff / distanceSquared), distance, light.probability, true, light.position);
 }
 
 LightSample sampleLight(Light light, Surface from, vec2 u) {

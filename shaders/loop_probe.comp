@@ -4,22 +4,22 @@
 layout(local_size_x = 1) in;
 
 layout(std430, set = 0, binding = 0) buffer Probe {
-  uint turnsAsked;
-  uint turnsDone;
+  uint requested;
+  uint executed;
   uint state;
   uint padding;
 } probe;
 
 void main() {
   uint state = probe.state;
-  uint turnsAsked = probe.turnsAsked;
-  uint turns = 0u;
-  while (turns < turnsAsked) {
+  uint requested = probe.requested;
+  uint iterations = 0u;
+  while (iterations < requested) {
     // A chain of dependent operations that no compiler can shorten, so that the iterations are executed and not
     // computed in closed form.
-    state = (state ^ (state >> 15)) * 0x2c1b3c6du + turns;
-    ++turns;
+    state = (state ^ (state >> 15)) * 0x2c1b3c6du + iterations;
+    ++iterations;
   }
   probe.state = state;
-  probe.turnsDone = turns;
+  probe.executed = iterations;
 }

@@ -57,17 +57,17 @@ struct SurfaceLobes {
   vec3 specular;        // factor of the microfacets at normal incidence
   vec3 grazing;         // factor of (1 - wo.h)^5
   vec2 alpha;           // along x and y
-  float diffuseShare;   // probabilities of the lobes
-  float specularShare;
-  float glassShare;
+  float diffuseProbability;   // probabilities of the lobes
+  float specularProbability;
+  float glassProbability;
   Glass glass;
   float coat;           // factor of the coat's microfacets
   float coatAlpha;
-  float coatShare;      // probability of the coat, and the light that it takes from the lobes below
+  float coatProbability;      // probability of the coat, and the light that it takes from the lobes below
   vec3 sheen;           // factor of the fibres
   float sheenAlpha;
   float sheenLambda;    // masking for wo
-  float sheenShare;     // probability of the sheen
+  float sheenProbability;     // probability of the sheen
   float belowSheen;     // the light that the sheen leaves for the lobes below
   vec3 conductor;       // factor of conductorReflectance()
   vec3 eta;
@@ -81,7 +81,7 @@ struct Material {
   SurfaceLobes lobes;  // computed by prepareLobes(); with dispersion, those of `channel`
   bool outside;        // argument of prepareLobes()
   uint channel;        // of the index of refraction by which a direction is sampled
-  vec3 channelShares;  // probabilities of the channels
+  vec3 channelProbabilities;  // probabilities of the channels
   vec3 diffuse;
   float diffuseWeight;
   vec3 glossy;
@@ -121,7 +121,7 @@ Material loadMaterial(uint index) {
   material.volume = 0u;
   material.outside = true;
   material.channel = 1u;
-  material.channelShares = vec3(0.0, 1.0, 0.0);
+  material.channelProbabilities = vec3(0.0, 1.0, 0.0);
   vec4 diffuse = sceneRowFloat(row);
   material.diffuse = diffuse.xyz;
   material.diffuseWeight = diffuse.w;

@@ -68,8 +68,8 @@ float fifthPower(float x) {
 // Directional albedos of single scattering: x with a reflectance of 1, y with (1 - wo.h)^5.
 vec2 microfacetAlbedo(float cosO, float roughness) {
   float alpha = roughness * roughness;
-  vec2 place = vec2(cosO * (1.0 + alpha) / (cosO + alpha), roughness);
-  vec2 scaled = clamp(place, 0.0, 1.0) * float(kEnergyCells);
+  vec2 coordinates = vec2(cosO * (1.0 + alpha) / (cosO + alpha), roughness);
+  vec2 scaled = clamp(coordinates, 0.0, 1.0) * float(kEnergyCells);
   uvec2 cell = min(uvec2(scaled), kEnergyCells - 1u);
   vec2 part = scaled - vec2(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);

@@ -69,9 +69,9 @@ vec3 scatteringByOthers(Material m, Facets facets, vec3 wo, vec3 wi, inout float
   vec3 normal = facets.geometric;
   float kappa = 0.5 * dot(normal.xy, normal.xy) / (1.0 + normal.z);
   float cosine = kappa * max(0.0, dot(wi, normal));
-  float share;
-  vec3 f = diffuseLobeOfMaterial(m, wo, share);
-  pdf += share * (cosine / kPi);
+  float probability;
+  vec3 f = diffuseLobeOfMaterial(m, wo, probability);
+  pdf += probability * (cosine / kPi);
   return f * cosine;
 }
 

@@ -70,7 +70,7 @@ uint permute(uint i, uint count, uint key) {
   w |= w >> 8;
   w |= w >> 16;
   bool inside = false;
-  for (uint turn = 0u; turn < 32u && !inside; ++turn) {
+  for (uint iteration = 0u; iteration < 32u && !inside; ++iteration) {
     i ^= key;
     i *= 0xe170893du;
     i ^= key >> 16;
@@ -156,7 +156,7 @@ uint vertexGroup(uint depth, uint dimension) {
   return (kCameraDimensionCount + (depth - 1u) * kVertexDimensionCount + dimension) / kGroupSize;
 }
 
-// Returns the group of a vertex's numbers for the environment: tap x, y and place x, y.
+// Returns the group of a vertex's numbers for the environment: tap x, y and point x, y.
 uint environmentGroup(uint depth) {
   return (kEnvironmentDimensions + (depth - 1u) * kEnvironmentDimensionCount) / kGroupSize;
 }

@@ -58,8 +58,8 @@ Light loadLight(uint light) {
   uint row = lightRow(light);
   uvec4 head = sceneRow(row);
   vec4 emission = sceneRowFloat(row + 1u);
-  vec4 place = sceneRowFloat(row + 2u);
-  return Light(uintBitsToFloat(head.y), head.z, head.w, emission.xyz, emission.w, place.xyz, place.w);
+  vec4 position = sceneRowFloat(row + 2u);
+  return Light(uintBitsToFloat(head.y), head.z, head.w, emission.xyz, emission.w, position.xyz, position.w);
 }
 
 struct PointLight {

@@ -9,8 +9,8 @@ const uvec2 kSheenCells = uvec2(kSheenCosineCells, kSheenRoughnessCells);
 
 // Interpolates the albedo of a white sheen, times the weight in addSheen().
 float weighedSheenAlbedo(float cosO, float roughness) {
-  vec2 place = vec2(sqrt(max(0.0, cosO * (1.0 + roughness) / (cosO + roughness))), roughness);
-  vec2 scaled = clamp(place, 0.0, 1.0) * vec2(kSheenCells);
+  vec2 coordinates = vec2(sqrt(max(0.0, cosO * (1.0 + roughness) / (cosO + roughness))), roughness);
+  vec2 scaled = clamp(coordinates, 0.0, 1.0) * vec2(kSheenCells);
   uvec2 cell = min(uvec2(scaled), kSheenCells - 1u);
   vec2 part = scaled - vec2(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);

@@ -14,9 +14,9 @@
 void addCoat(SurfaceParameters s, vec3 wo, inout SurfaceLobes lobes) {
   float roughness = max(s.coatRoughness, kMinRoughness);
   lobes.coatAlpha = roughness * roughness;
-  lobes.coatShare = coatReflectance(s.coatWeight, wo.z);
-  if (kHasNormalMaps && s.isCoatAlone) lobes.coatShare = 1.0;
-  lobes.coat = lobes.coatShare / microfacetAlbedo(wo.z, roughness).x;
+  lobes.coatProbability = coatReflectance(s.coatWeight, wo.z);
+  if (kHasNormalMaps && s.isCoatAlone) lobes.coatProbability = 1.0;
+  lobes.coat = lobes.coatProbability / microfacetAlbedo(wo.z, roughness).x;
 }
 
 // Takes the metal out of the factors for Schlick's formula if it is a conductor.
@@ -81,24 +81,24 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
     float reflecting = weight * largest(normal * albedo.x + rise * albedo.y);
     transmitting = glass * mix(luminance(s.baseColour), 1.0, reflecting);
   }
-  lobes.coatShare = 0.0;
+  lobes.coatProbability = 0.0;
   if (kHasCoat) addCoat(s, wo, lobes);
-  float below = 1.0 - lobes.coatShare;
+  float below = 1.0 - lobes.coatProbability;
   float total = diffuse + specular + transmitting;
-  lobes.sheenShare = 0.0;
+  lobes.sheenProbability = 0.0;
   if (kHasSheen) {
     float sheen = addSheen(s, wo, lobes);
-    lobes.sheenShare = sheen > 0.0 ? below * (sheen / (sheen + lobes.belowSheen * total)) : 0.0;
-    below -= lobes.sheenShare;
+    lobes.sheenProbability = sheen > 0.0 ? below * (sheen / (sheen + lobes.belowSheen * total)) : 0.0;
+    below -= lobes.sheenProbability;
   }
   float perUnit = total > 0.0 ? below / total : 0.0;
-  lobes.diffuseShare = diffuse * perUnit;
+  lobes.diffuseProbability = diffuse * perUnit;
   if (kHasNormalMaps && s.lacksDiffuse) {
     lobes.diffuse = vec3(0.0);
-    lobes.diffuseShare = 0.0;
+    lobes.diffuseProbability = 0.0;
   }
-  lobes.glassShare = transmitting * perUnit;
-  lobes.specularShare = total > 0.0 ? specular * perUnit : below;
+  lobes.glassProbability = transmitting * perUnit;
+  lobes.specularProbability = total > 0.0 ? specular * perUnit : below;
   return lobes;
 }
 
@@ -111,23 +111,23 @@ vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   if (kHasConductors && largest(lobes.conductor) > 0.0) {
     reflectance += lobes.conductor * conductorReflectance(cosOH, lobes.eta, lobes.kappa);
   }
-  float share = lobes.specularShare;
+  float probability = lobes.specularProbability;
   if (kHasTransmission) {
     float schlick = schlickOf(lobes.glass, cosOH);
     reflectance += glassReflectance(lobes.glass, schlick);
-    share += lobes.glassShare * reflectionProbability(keptByGlass(lobes.glass, schlick));
+    probability += lobes.glassProbability * reflectionProbability(keptByGlass(lobes.glass, schlick));
   }
-  pdf = lobes.diffuseShare * (wi.z / kPi) + share * visibleReflectionPdf(d, wo.z, lengthO);
+  pdf = lobes.diffuseProbability * (wi.z / kPi) + probability * visibleReflectionPdf(d, wo.z, lengthO);
   vec3 f = lobes.diffuse / kPi + reflectance * (d * visibility(wo, wi, lengthO, lobes.alpha));
-  if (kHasSheen && lobes.sheenShare > 0.0) {
+  if (kHasSheen && lobes.sheenProbability > 0.0) {
     f = f * lobes.belowSheen + evaluateSheen(lobes, wo, wi);
-    pdf += lobes.sheenShare * capPdf(1.0);
+    pdf += lobes.sheenProbability * capPdf(1.0);
   }
   if (!kHasCoat) return f;
   float coated = ggxDistribution(h, lobes.coatAlpha);
   float coatLength = stretchedLength(wo, lobes.coatAlpha);
-  pdf += lobes.coatShare * visibleReflectionPdf(coated, wo.z, coatLength);
-  return f * (1.0 - lobes.coatShare) + lobes.coat * coated * visibility(wo, wi, coatLength, vec2(lobes.coatAlpha));
+  pdf += lobes.coatProbability * visibleReflectionPdf(coated, wo.z, coatLength);
+  return f * (1.0 - lobes.coatProbability) + lobes.coat * coated * visibility(wo, wi, coatLength, vec2(lobes.coatAlpha));
 }
 
 vec3 evaluateSurface(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
@@ -136,8 +136,8 @@ vec3 evaluateSurface(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   if (wi.z > 0.0) return evaluateReflection(lobes, wo, wi, pdf);
   if (!kHasTransmission || wi.z == 0.0) return vec3(0.0);
   vec3 f = evaluateTransmission(lobes.glass, lobes.alpha, wo, wi, pdf);
-  pdf *= lobes.glassShare;
-  return f * ((1.0 - lobes.coatShare) * (kHasSheen ? lobes.belowSheen : 1.0));
+  pdf *= lobes.glassProbability;
+  return f * ((1.0 - lobes.coatProbability) * (kHasSheen ? lobes.belowSheen : 1.0));
 }
 
 // The surface's parameters with the index of refraction of a channel: section 5.13.
@@ -150,9 +150,9 @@ SurfaceParameters inChannel(SurfaceParameters s, uint channel) {
 // Chooses the channel by whose index of refraction the next direction is sampled.
 void chooseChannel(inout Material m, vec3 throughput, float number) {
   float sum = throughput.x + throughput.y + throughput.z;
-  if (sum > 0.0) m.channelShares = throughput / sum;
-  precise float greenEnd = m.channelShares.x + m.channelShares.y;
-  m.channel = number < m.channelShares.x ? 0u : number < greenEnd || m.channelShares.z == 0.0 ? 1u : 2u;
+  if (sum > 0.0) m.channelProbabilities = throughput / sum;
+  precise float greenEnd = m.channelProbabilities.x + m.channelProbabilities.y;
+  m.channel = number < m.channelProbabilities.x ? 0u : number < greenEnd || m.channelProbabilities.z == 0.0 ? 1u : 2u;
 }
 
 // Each channel's f is that of its own index of refraction; the pdf is that of choosing a channel and sampling by it.
@@ -163,26 +163,26 @@ vec3 evaluateChannels(Material m, vec3 wo, vec3 wi, out float pdf) {
     float channelPdf;
     SurfaceLobes lobes = lobesAt(inChannel(m.surface, channel), wo, m.outside);
     f[channel] = evaluateSurface(lobes, wo, wi, channelPdf)[channel];
-    pdf += m.channelShares[channel] * channelPdf;
+    pdf += m.channelProbabilities[channel] * channelPdf;
   }
   return f;
 }
 
 // Returns f of the diffuse lobe for any direction, and the probability of the lobe.
-vec3 diffuseLobe(SurfaceLobes lobes, out float share) {
-  share = lobes.diffuseShare;
-  float below = kHasSheen && lobes.sheenShare > 0.0 ? lobes.belowSheen : 1.0;
-  return lobes.diffuse * (below * (1.0 - lobes.coatShare) / kPi);
+vec3 diffuseLobe(SurfaceLobes lobes, out float probability) {
+  probability = lobes.diffuseProbability;
+  float below = kHasSheen && lobes.sheenProbability > 0.0 ? lobes.belowSheen : 1.0;
+  return lobes.diffuse * (below * (1.0 - lobes.coatProbability) / kPi);
 }
 
-vec3 diffuseLobeOfMaterial(Material m, vec3 wo, out float share) {
-  if (!kHasDispersion || m.surface.transmissionDispersionScale <= 0.0) return diffuseLobe(m.lobes, share);
+vec3 diffuseLobeOfMaterial(Material m, vec3 wo, out float probability) {
+  if (!kHasDispersion || m.surface.transmissionDispersionScale <= 0.0) return diffuseLobe(m.lobes, probability);
   vec3 f = vec3(0.0);
-  share = 0.0;
+  probability = 0.0;
   for (uint channel = 0u; channel < 3u; ++channel) {
     float part;
     f[channel] = diffuseLobe(lobesAt(inChannel(m.surface, channel), wo, m.outside), part)[channel];
-    share += m.channelShares[channel] * part;
+    probability += m.channelProbabilities[channel] * part;
   }
   return f;
 }
@@ -190,16 +190,16 @@ vec3 diffuseLobeOfMaterial(Material m, vec3 wo, out float share) {
 Material withoutDiffuse(Material m) {
   m.surface.lacksDiffuse = true;
   m.lobes.diffuse = vec3(0.0);
-  m.lobes.diffuseShare = 0.0;
+  m.lobes.diffuseProbability = 0.0;
   return m;
 }
 
 // Chooses a lobe by numbers.x, and its direction by numbers.yz. Pdf and weight remain to be computed.
 BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   BsdfSample result = kAbsorbed;
-  precise float sheenEnd = lobes.coatShare + lobes.sheenShare;
-  precise float diffuseEnd = sheenEnd + lobes.diffuseShare;
-  bool coated = kHasCoat && numbers.x < lobes.coatShare;
+  precise float sheenEnd = lobes.coatProbability + lobes.sheenProbability;
+  precise float diffuseEnd = sheenEnd + lobes.diffuseProbability;
+  bool coated = kHasCoat && numbers.x < lobes.coatProbability;
   bool isSheen = kHasSheen && !coated && numbers.x < sheenEnd;
   bool isDiffuse = !coated && !isSheen && numbers.x < diffuseEnd;
   bool transmitted = false;
@@ -213,7 +213,7 @@ BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
     result.wi = 2.0 * cosOH * h - wo;
     if (kHasTransmission && !coated) {
       float reflecting = reflectionProbability(keptByGlass(lobes.glass, schlickOf(lobes.glass, cosOH)));
-      transmitted = numbers.x >= 1.0 - lobes.glassShare * (1.0 - reflecting);
+      transmitted = numbers.x >= 1.0 - lobes.glassProbability * (1.0 - reflecting);
       if (transmitted) result.wi = transmittedDirection(lobes.glass, wo, h, cosOH, result.wi);
     }
   }

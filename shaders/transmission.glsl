@@ -10,8 +10,8 @@ const float kTransmissionMargin = 1.04;  // below a film, the estimate is less t
 // Interpolates one of the two glass tables: the energy that rough glass scatters once.
 float glassAlbedo(float cosO, float roughness, float ior, bool outside) {
   float alpha = roughness * roughness;
-  vec3 place = vec3(cosO * (1.0 + alpha) / (cosO + alpha), roughness, 2.0 * (ior - 1.0) / (ior + 1.0));
-  vec3 scaled = clamp(place, 0.0, 1.0) * vec3(kGlassCells);
+  vec3 coordinates = vec3(cosO * (1.0 + alpha) / (cosO + alpha), roughness, 2.0 * (ior - 1.0) / (ior + 1.0));
+  vec3 scaled = clamp(coordinates, 0.0, 1.0) * vec3(kGlassCells);
   uvec3 cell = min(uvec3(scaled), kGlassCells - 1u);
   vec3 part = scaled - vec3(cell);
   vec4 weights = vec4(1.0 - part.x, part.x, 1.0 - part.x, part.x) * vec4(1.0 - part.yy, part.yy);

@@ -13,10 +13,10 @@ layout(set = 0, binding = kBindingResults, std430) buffer Results {
 };
 
 TreeState loadTree(uint row) {
-  uvec4 place = treeRows[row + 2u];
+  uvec4 position = treeRows[row + 2u];
   uvec4 rays = treeRows[row + 4u];
   uvec4 work = treeRows[row + 5u];
-  return TreeState(treeRows[row], treeRows[row + 1u], place.x, place.y, place.z, place.w, treeRows[row + 3u], rays.x,
+  return TreeState(treeRows[row], treeRows[row + 1u], position.x, position.y, position.z, position.w, treeRows[row + 3u], rays.x,
                    rays.y, rays.z, rays.w, work.x, work.y, 0u, 0u);
 }
 
@@ -84,12 +84,12 @@ bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches bra
 // Records a node's decisions. A node whose lights take several segments adds to its record.
 void record(uint pixelIndex, uint number, Decisions decisions) {
   if (number >= kRecordedVertices) return;
-  uint place = pixelIndex * kRecordedVertices + number;
-  uint before = records[place].y;
+  uint index = pixelIndex * kRecordedVertices + number;
+  uint before = records[index].y;
   uint visible = ((before & ~kRecordValid) >> kRecordLightShift) ^ decisions.visibleLights;
   uint shadow = max((before >> 8) & 255u, decisions.shadow);
   uint flags = kRecordValid | (visible << kRecordLightShift) | (1u << 16) | (shadow << 8) | decisions.lobe;
-  records[place] = uvec2(decisions.index, flags);
+  records[index] = uvec2(decisions.index, flags);
 }
 
 void main() {

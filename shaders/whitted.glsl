@@ -80,16 +80,16 @@ vec3 localColour(Material m, Normals normals, vec3 wo, vec3 wi) {
 }
 
 // Returns the contribution of one light at a surface.
-vec3 lightShown(PointLight light, vec3 place, Surface surface, Normals normals, Material material, vec3 wo, inout Work work,
+vec3 lightShown(PointLight light, vec3 point, Surface surface, Normals normals, Material material, vec3 wo, inout Work work,
                 inout uint shadow) {
-  vec3 toLight = place - surface.position;
+  vec3 toLight = point - surface.position;
   float distance = sqrt(dot(toLight, toLight));
   precise vec3 wi = toLight / distance;
   bool faces = distance > 0.0 && dot(normals.shading, wi) > 0.0 && dot(normals.geometric, wi) > 0.0;
   shadow = kShadowNotTraced;
   if (!faces) return vec3(0.0);
-  Ray ray = shadowRayFrom(surface, wi, true, place, distance);
-  bool occluded = traceAny(ray, RayEnd(distance, kNoSlot, place), work);
+  Ray ray = shadowRayFrom(surface, wi, true, point, distance);
+  bool occluded = traceAny(ray, RayEnd(distance, kNoSlot, point), work);
   shadow = occluded ? kShadowOccluded : kShadowVisible;
   return occluded ? vec3(0.0) : light.colour * localColour(material, normals, wo, wi);
 }

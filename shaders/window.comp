@@ -35,15 +35,15 @@ vec3 differenceSignal(vec4 device, vec4 reference, uvec2 pixel) {
   return mix(vec3(kPictureBelowDifference * luminanceOf(shown(reference))), colour, strength);
 }
 
-vec3 pictureSignal(uvec2 pixel, vec2 place) {
+vec3 pictureSignal(uvec2 pixel, vec2 position) {
   uint index = pixel.y * window.pictureSize.x + pixel.x;
   vec4 device = devicePicture[index];
   vec4 reference = referencePicture[index];
   if (kMode == kShowDevice) return shown(device);
   if (kMode == kShowReference) return shown(reference);
   if (kMode == kShowDifference) return differenceSignal(device, reference, pixel);
-  if (abs(place.x - window.divider) * window.zoom < 1.0) return kDividerColour;
-  return shown(place.x < window.divider ? device : reference);
+  if (abs(position.x - window.divider) * window.zoom < 1.0) return kDividerColour;
+  return shown(position.x < window.divider ? device : reference);
 }
 
 uint packed(vec3 signal) {
@@ -60,8 +60,8 @@ void main() {
     pointed.reference = referencePicture[index];
   }
   if (at.x >= window.windowSize.x || at.y >= window.windowSize.y) return;
-  vec2 place = (vec2(at) + 0.5 - window.origin) / window.zoom;
-  bool isInside = all(greaterThanEqual(place, vec2(0.0))) && all(lessThan(place, vec2(window.pictureSize)));
-  vec3 signal = isInside ? pictureSignal(uvec2(place), place) : kSurroundings;
+  vec2 position = (vec2(at) + 0.5 - window.origin) / window.zoom;
+  bool isInside = all(greaterThanEqual(position, vec2(0.0))) && all(lessThan(position, vec2(window.pictureSize)));
+  vec3 signal = isInside ? pictureSignal(uvec2(position), position) : kSurroundings;
   windowPixels[at.y * window.windowSize.x + at.x] = packed(signal);
 }

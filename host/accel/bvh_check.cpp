@@ -25,12 +25,12 @@ class BvhValidator {
       return fmt::format("{} nodes for no primitives", bvh_.nodes.size());
     }
     if (bvh_.nodes.empty()) return fmt::format("no nodes for {} primitives", bounds_.size());
-    return walk();
+    return traverse();
   }
 
  private:
   // Children follow their parent and are reached once, so that the loop ends on any input.
-  std::optional<std::string> walk() {
+  std::optional<std::string> traverse() {
     std::size_t reached = 0;
     nodeReached_.assign(bvh_.nodes.size(), false);
     primitiveSeen_.assign(bounds_.size(), false);

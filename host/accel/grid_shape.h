@@ -49,8 +49,8 @@ struct GridShape {
   /// Returns the cell along `axis` that contains coordinate x, or the outermost cell on its side. It is monotonic in x,
   /// including rounding, and defines the extent of the cells: the builder and all traversals must use this arithmetic.
   std::uint32_t cellAt(int axis, float x) const {
-    const float place = std::max(0.0f, (x - bounds.min[axis]) * scale[axis]);
-    return static_cast<std::uint32_t>(std::min(place, static_cast<float>(sides[axis] - 1)));
+    const float cell = std::max(0.0f, (x - bounds.min[axis]) * scale[axis]);
+    return static_cast<std::uint32_t>(std::min(cell, static_cast<float>(sides[axis] - 1)));
   }
   /// Returns all cells that the box touches.
   CellBlock cellsOf(const Aabb& box) const;

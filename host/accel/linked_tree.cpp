@@ -66,24 +66,24 @@ void LinkedTree::openLargest(const Bvh& source, std::size_t nodeLimit) {
   const std::vector<std::uint32_t> heights = heightsOf(source);
   using Closed = std::tuple<double, std::uint32_t, std::uint32_t>;  // half area, index in the source, index here
   std::priority_queue<Closed> closed;
-  const auto close = [&](std::uint32_t node, std::uint32_t place) {
+  const auto close = [&](std::uint32_t node, std::uint32_t index) {
     const BvhNode& origin = source.nodes[node];
-    nodes_[place] = {origin.bounds, node, 1};
-    heights_[place] = heights[node];
-    if (!origin.isLeaf()) closed.emplace(origin.bounds.surfaceArea(), node, place);
+    nodes_[index] = {origin.bounds, node, 1};
+    heights_[index] = heights[node];
+    if (!origin.isLeaf()) closed.emplace(origin.bounds.surfaceArea(), node, index);
   };
   nodes_.resize(1);
   heights_.resize(1);
   close(0, 0);
   while (!closed.empty() && nodes_.size() + 2 <= nodeLimit) {
-    const auto [area, node, place] = closed.top();
+    const auto [area, node, index] = closed.top();
     closed.pop();
     const auto pair = static_cast<std::uint32_t>(nodes_.size());
     nodes_.resize(pair + 2);
     heights_.resize(pair + 2);
-    parents_.push_back(place);
-    nodes_[place].first = pair;
-    nodes_[place].count = 0;
+    parents_.push_back(index);
+    nodes_[index].first = pair;
+    nodes_[index].count = 0;
     for (const std::uint32_t side : {0u, 1u}) close(source.nodes[node].first + side, pair + side);
   }
 }
@@ -112,10 +112,10 @@ void LinkedTree::move(const SubtreeMove& move) {
   refit(move.to);
 }
 
-void LinkedTree::put(std::uint32_t place, const BvhNode& node, std::uint32_t height) {
-  nodes_[place] = node;
-  heights_[place] = height;
-  if (!node.isLeaf()) parents_[(node.first - 1) / 2] = place;
+void LinkedTree::put(std::uint32_t index, const BvhNode& node, std::uint32_t height) {
+  nodes_[index] = node;
+  heights_[index] = height;
+  if (!node.isLeaf()) parents_[(node.first - 1) / 2] = index;
 }
 
 // Updates boxes and heights from an interior node upwards, as far as they change.

@@ -44,7 +44,7 @@ class LinkedTree {
  private:
   void openAll(const Bvh& source);
   void openLargest(const Bvh& source, std::size_t nodeLimit);
-  void put(std::uint32_t place, const BvhNode& node, std::uint32_t height);
+  void put(std::uint32_t index, const BvhNode& node, std::uint32_t height);
   void refit(std::uint32_t node);
   void layOut(const Bvh& source, std::uint32_t node, std::uint32_t slot, std::vector<BvhNode>& out) const;
 

@@ -18,7 +18,7 @@ namespace {
 
 // Indices of binary nodes by position in an 8-wide node.
 constexpr std::uint32_t kNobody = ~0u;
-using Places = std::array<std::uint32_t, kWideChildren>;
+using Children = std::array<std::uint32_t, kWideChildren>;
 
 struct Pending {
   std::uint32_t source;  ///< index in the binary BVH
@@ -60,22 +60,22 @@ class Collapser {
 
  private:
   void collapse(const Pending& pending) {
-    const Places places = arrange(familyOf(pending.source), bvh_.nodes[pending.source].bounds);
+    const Children children = arrange(familyOf(pending.source), bvh_.nodes[pending.source].bounds);
     std::array<Aabb, kWideChildren> boxes;
     WideNode node;
     node.firstPrimitive = static_cast<std::uint32_t>(wide_.primitiveIndices.size());
-    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
-      if (places[place] == kNobody) continue;
-      const BvhNode& child = bvh_.nodes[places[place]];
-      boxes[place] = child.bounds;
+    for (std::uint32_t index = 0; index < kWideChildren; ++index) {
+      if (children[index] == kNobody) continue;
+      const BvhNode& child = bvh_.nodes[children[index]];
+      boxes[index] = child.bounds;
       if (child.isLeaf()) {
-        node.leafMask |= appendLeaf(child) << (3 * place);
+        node.leafMask |= appendLeaf(child) << (3 * index);
       } else {
-        node.innerMask |= static_cast<std::uint8_t>(1u << place);
+        node.innerMask |= static_cast<std::uint8_t>(1u << index);
       }
     }
     node.boxes = quantise(boxes);
-    if (node.innerMask != 0) node.block = addBlock(places, node.innerMask, pending.depth + 1);
+    if (node.innerMask != 0) node.block = addBlock(children, node.innerMask, pending.depth + 1);
     wide_.nodes[pending.target] = node;
     wide_.depth = std::max(wide_.depth, pending.depth);
     ++wide_.nodeCount;
@@ -88,36 +88,36 @@ class Collapser {
 
   // Repeatedly assigns the child and the free position that fit each other best: Ylitie et al., section 3.2, with a
   // greedy choice instead of an auction.
-  Places arrange(const Family& family, const Aabb& bounds) const {
+  Children arrange(const Family& family, const Aabb& bounds) const {
     std::array<glm::dvec3, kWideChildren> offsets;
     for (std::uint32_t i = 0; i < family.size; ++i) {
       const Aabb& box = bvh_.nodes[family.members[i]].bounds;
       offsets[i] = (glm::dvec3(box.min) - glm::dvec3(bounds.min)) + (glm::dvec3(box.max) - glm::dvec3(bounds.max));
     }
-    Places places;
-    places.fill(kNobody);
+    Children children;
+    children.fill(kNobody);
     std::array<bool, kWideChildren> placed{};
     for (std::uint32_t round = 0; round < family.size; ++round) {
       double bestGain = -std::numeric_limits<double>::infinity();
-      std::uint32_t bestChild = 0, bestPlace = 0;
+      std::uint32_t bestChild = 0, bestIndex = 0;
       for (std::uint32_t child = 0; child < family.size; ++child) {
         if (placed[child]) continue;
-        for (std::uint32_t place = 0; place < kWideChildren; ++place) {
-          const double gain = gainOf(offsets[child], place);
-          if (places[place] != kNobody || gain <= bestGain) continue;
+        for (std::uint32_t index = 0; index < kWideChildren; ++index) {
+          const double gain = gainOf(offsets[child], index);
+          if (children[index] != kNobody || gain <= bestGain) continue;
           bestGain = gain;
           bestChild = child;
-          bestPlace = place;
+          bestIndex = index;
         }
       }
-      places[bestPlace] = family.members[bestChild];
+      children[bestIndex] = family.members[bestChild];
       placed[bestChild] = true;
     }
-    return places;
+    return children;
   }
 
-  static double gainOf(const glm::dvec3& offset, std::uint32_t place) {
-    return (place & 1 ? offset.x : -offset.x) + (place & 2 ? offset.y : -offset.y) + (place & 4 ? offset.z : -offset.z);
+  static double gainOf(const glm::dvec3& offset, std::uint32_t index) {
+    return (index & 1 ? offset.x : -offset.x) + (index & 2 ? offset.y : -offset.y) + (index & 4 ? offset.z : -offset.z);
   }
 
   // Appends the primitives of the leaf. Returns their bits of a leaf mask.
@@ -131,12 +131,12 @@ class Collapser {
     return (1u << leaf.count) - 1;
   }
 
-  std::uint32_t addBlock(const Places& places, std::uint8_t innerMask, std::uint32_t depth) {
+  std::uint32_t addBlock(const Children& children, std::uint8_t innerMask, std::uint32_t depth) {
     const std::uint32_t block = blocks_.place(innerMask);
     wide_.nodes.resize(blocks_.end());
-    for (std::uint32_t place = kWideChildren; place-- > 0;) {
-      if ((innerMask >> place & 1) == 0) continue;
-      pending_.push_back({places[place], block + place, depth});
+    for (std::uint32_t index = kWideChildren; index-- > 0;) {
+      if ((innerMask >> index & 1) == 0) continue;
+      pending_.push_back({children[index], block + index, depth});
     }
     return block;
   }

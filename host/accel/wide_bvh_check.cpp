@@ -17,7 +17,7 @@ constexpr double kMinMargin = 0.75 * kPlaneMargin;
 struct WideVisit {
   std::uint32_t node;
   std::uint32_t parent;
-  std::uint32_t place;
+  std::uint32_t child;
   std::uint32_t depth;
 };
 
@@ -34,13 +34,13 @@ class WideBvhValidator {
       if (bounds_.empty() && wide_.nodes.empty()) return std::nullopt;
       return fmt::format("{} nodes for {} primitives", wide_.nodes.size(), bounds_.size());
     }
-    if (auto problem = walk()) return problem;
+    if (auto problem = traverse()) return problem;
     return checkBoxes();
   }
 
  private:
   // Nodes have one parent, so that the loop ends on any input. Stores the order of nodes, parents first.
-  std::optional<std::string> walk() {
+  std::optional<std::string> traverse() {
     nodeNamed_.assign(wide_.nodes.size(), false);
     primitiveSeen_.assign(bounds_.size(), false);
     nodeNamed_[0] = true;
@@ -62,15 +62,15 @@ class WideBvhValidator {
 
   std::optional<std::string> visitChildren(const WideVisit& visit) {
     const WideNode& node = wide_.nodes[visit.node];
-    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
-      if ((node.innerMask >> place & 1) == 0) continue;
-      if (leafSize(node, place) > 0) return fmt::format("child {} of node {} is both node and leaf", place, visit.node);
-      const std::uint64_t child = std::uint64_t{node.block} + place;
-      if (child >= nodeNamed_.size())
-        return fmt::format("node {} names node {} of {}", visit.node, child, nodeNamed_.size());
-      if (nodeNamed_[child]) return fmt::format("node {} is named twice", child);
-      nodeNamed_[child] = true;
-      order_.push_back({static_cast<std::uint32_t>(child), visit.node, place, visit.depth + 1});
+    for (std::uint32_t child = 0; child < kWideChildren; ++child) {
+      if ((node.innerMask >> child & 1) == 0) continue;
+      if (leafSize(node, child) > 0) return fmt::format("child {} of node {} is both node and leaf", child, visit.node);
+      const std::uint64_t childNode = std::uint64_t{node.block} + child;
+      if (childNode >= nodeNamed_.size())
+        return fmt::format("node {} names node {} of {}", visit.node, childNode, nodeNamed_.size());
+      if (nodeNamed_[childNode]) return fmt::format("node {} is named twice", childNode);
+      nodeNamed_[childNode] = true;
+      order_.push_back({static_cast<std::uint32_t>(childNode), visit.node, child, visit.depth + 1});
     }
     return std::nullopt;
   }
@@ -79,10 +79,10 @@ class WideBvhValidator {
     const WideNode& node = wide_.nodes[index];
     if (node.leafMask >> (3 * kWideChildren) != 0) return fmt::format("node {} has leaves beyond its children", index);
     std::uint64_t next = node.firstPrimitive;
-    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
-      const std::uint32_t bits = node.leafMask >> (3 * place) & 7;
-      if (bits != (1u << leafSize(node, place)) - 1) return fmt::format("leaf {} of node {} has gaps", place, index);
-      for (std::uint32_t i = 0; i < leafSize(node, place); ++i, ++next) {
+    for (std::uint32_t child = 0; child < kWideChildren; ++child) {
+      const std::uint32_t bits = node.leafMask >> (3 * child) & 7;
+      if (bits != (1u << leafSize(node, child)) - 1) return fmt::format("leaf {} of node {} has gaps", child, index);
+      for (std::uint32_t i = 0; i < leafSize(node, child); ++i, ++next) {
         if (next >= bounds_.size())
           return fmt::format("node {} holds primitives up to {} of {}", index, next, bounds_.size());
         const std::uint32_t primitive = wide_.primitiveIndices[next];
@@ -102,36 +102,36 @@ class WideBvhValidator {
       std::array<Aabb, kWideChildren>& children = contents[visit.node];
       addLeaves(wide_.nodes[visit.node], children);
       Aabb all;
-      for (const Aabb& child : children) all.extend(child);
-      for (std::uint32_t place = 0; place < kWideChildren; ++place) {
-        if (children[place].isEmpty() || holds(wide_.nodes[visit.node].boxes, place, children[place], all)) continue;
-        return fmt::format("child {} of node {} reaches out of its quantised box", place, visit.node);
+      for (const Aabb& box : children) all.extend(box);
+      for (std::uint32_t child = 0; child < kWideChildren; ++child) {
+        if (children[child].isEmpty() || holds(wide_.nodes[visit.node].boxes, child, children[child], all)) continue;
+        return fmt::format("child {} of node {} reaches out of its quantised box", child, visit.node);
       }
-      if (i > 0) contents[visit.parent][visit.place] = all;
+      if (i > 0) contents[visit.parent][visit.child] = all;
     }
     return std::nullopt;
   }
 
   void addLeaves(const WideNode& node, std::array<Aabb, kWideChildren>& children) const {
     std::uint32_t next = node.firstPrimitive;
-    for (std::uint32_t place = 0; place < kWideChildren; ++place) {
-      for (std::uint32_t i = 0; i < leafSize(node, place); ++i) {
-        children[place].extend(bounds_[wide_.primitiveIndices[next++]]);
+    for (std::uint32_t child = 0; child < kWideChildren; ++child) {
+      for (std::uint32_t i = 0; i < leafSize(node, child); ++i) {
+        children[child].extend(bounds_[wide_.primitiveIndices[next++]]);
       }
     }
   }
 
-  static bool holds(const QuantisedBoxes& boxes, std::uint32_t place, const Aabb& content, const Aabb& all) {
+  static bool holds(const QuantisedBoxes& boxes, std::uint32_t child, const Aabb& content, const Aabb& all) {
     for (int axis = 0; axis < 3; ++axis) {
       const double margin = kMinMargin * std::max(std::abs(double{all.min[axis]}), std::abs(double{all.max[axis]}));
-      if (boxes.plane(axis, boxes.low[axis][place]) > content.min[axis] - margin) return false;
-      if (boxes.plane(axis, boxes.high[axis][place]) < content.max[axis] + margin) return false;
+      if (boxes.plane(axis, boxes.low[axis][child]) > content.min[axis] - margin) return false;
+      if (boxes.plane(axis, boxes.high[axis][child]) < content.max[axis] + margin) return false;
     }
     return true;
   }
 
-  static std::uint32_t leafSize(const WideNode& node, std::uint32_t place) {
-    return static_cast<std::uint32_t>(std::popcount(node.leafMask >> (3 * place) & 7));
+  static std::uint32_t leafSize(const WideNode& node, std::uint32_t child) {
+    return static_cast<std::uint32_t>(std::popcount(node.leafMask >> (3 * child) & 7));
   }
 
   const WideBvh& wide_;

@@ -20,11 +20,11 @@ WideFamilies::WideFamilies(const Bvh& bvh) : bvh_(bvh), costs_(bvh.nodes.size())
   }
 }
 
-WideFamilies::Share WideFamilies::bestShare(std::uint32_t pair, std::uint32_t children) const {
+WideFamilies::Split WideFamilies::bestSplit(std::uint32_t pair, std::uint32_t children) const {
   constexpr auto kMaxSamples = static_cast<std::uint32_t>(std::tuple_size_v<Costs>);
   const Costs& left = costs_[pair];
   const Costs& right = costs_[pair + 1];
-  Share best{0, std::numeric_limits<float>::infinity()};
+  Split best{0, std::numeric_limits<float>::infinity()};
   for (std::uint32_t k = children > kMaxSamples ? children - kMaxSamples : 1; k <= std::min(children - 1, kMaxSamples);
        ++k) {
     const float cost = left[k - 1] + right[children - k - 1];
@@ -34,11 +34,11 @@ WideFamilies::Share WideFamilies::bestShare(std::uint32_t pair, std::uint32_t ch
 }
 
 WideFamilies::Costs WideFamilies::costsOf(const BvhNode& inner, double rootArea) const {
-  const double chance = rootArea > 0 ? std::max(inner.bounds.surfaceArea() / rootArea, kMinHitProbability) : 1;
+  const double hitProbability = rootArea > 0 ? std::max(inner.bounds.surfaceArea() / rootArea, kMinHitProbability) : 1;
   Costs costs;
-  costs[0] = static_cast<float>(chance) + bestShare(inner.first, kWideChildren).cost;
+  costs[0] = static_cast<float>(hitProbability) + bestSplit(inner.first, kWideChildren).cost;
   for (std::uint32_t k = 2; k <= costs.size(); ++k) {
-    costs[k - 1] = std::min(costs[k - 2], bestShare(inner.first, k).cost);
+    costs[k - 1] = std::min(costs[k - 2], bestSplit(inner.first, k).cost);
   }
   return costs;
 }
@@ -46,7 +46,7 @@ WideFamilies::Costs WideFamilies::costsOf(const BvhNode& inner, double rootArea)
 Family WideFamilies::of(std::uint32_t node) const {
   Family family;
   const std::uint32_t pair = bvh_.nodes[node].first;
-  const std::uint32_t left = bestShare(pair, kWideChildren).left;
+  const std::uint32_t left = bestSplit(pair, kWideChildren).left;
   choose(pair, left, family);
   choose(pair + 1, kWideChildren - left, family);
   return family;
@@ -61,7 +61,7 @@ void WideFamilies::choose(std::uint32_t node, std::uint32_t children, Family& fa
     return;
   }
   const std::uint32_t pair = bvh_.nodes[node].first;
-  const std::uint32_t left = bestShare(pair, children).left;
+  const std::uint32_t left = bestSplit(pair, children).left;
   choose(pair, left, family);
   choose(pair + 1, children - left, family);
 }

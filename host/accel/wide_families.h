@@ -30,11 +30,11 @@ class WideFamilies {
   // node represent the binary node.
   using Costs = std::array<float, kWideChildren - 1>;
 
-  struct Share {
+  struct Split {
     std::uint32_t left;  ///< number of children for the left of two nodes; the others are for the right one
     float cost;
   };
-  Share bestShare(std::uint32_t pair, std::uint32_t children) const;
+  Split bestSplit(std::uint32_t pair, std::uint32_t children) const;
   Costs costsOf(const BvhNode& inner, double rootArea) const;
   void choose(std::uint32_t node, std::uint32_t children, Family& family) const;
 

@@ -16,9 +16,9 @@ std::vector<Choice> choices(Choice asked, Choice first, Choice second) {
 DeviceTracer::DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings)
     : caster_(device, std::move(flat), settings) {}
 
-const char* DeviceTracer::layout() const {
-  const char* const name = flatten::layoutName(caster_.scene().structure);
-  return *name != '\0' ? name : "list";
+render::LayoutInUse DeviceTracer::layout() const {
+  const render::LayoutInUse layout = caster_.scene().layout();
+  return layout == render::LayoutInUse::none ? render::LayoutInUse::list : layout;
 }
 
 std::vector<std::unique_ptr<DeviceTracer>> deviceTracers(vulkan::Device& device, const scene::Scene& scene,

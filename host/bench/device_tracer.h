@@ -17,8 +17,10 @@ class DeviceTracer : public RayTracer {
   double trace() override { return caster_.trace(); }
   std::vector<gpu::CastHit> hits() override { return caster_.hits(); }
 
-  const char* layout() const;  ///< "bvh2", "cwbvh", or "list" if all primitives are tested
-  const char* sceneLoads() const { return caster_.readsTexels() ? "texel" : "storage"; }
+  render::LayoutInUse layout() const;  ///< list: all primitives are tested
+  render::SceneLoads sceneLoads() const {
+    return caster_.readsTexels() ? render::SceneLoads::texel : render::SceneLoads::storage;
+  }
   std::uint64_t sceneBytes() const { return caster_.scene().rows.size() * sizeof(gpu::uvec4); }
 
  private:

@@ -38,7 +38,7 @@ TextTable tableOf(const RayReport& report) {
   table.header = {"scene", "rays",   "layout",  "loads",           "MiB",          "count",
                   "ms",    "spread", "Mrays/s", "Mrays per CPU s", "steps per ray"};
   for (const RayRow& row : report.rows) {
-    std::vector<std::string> cells{row.scene, rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
+    std::vector<std::string> cells{row.scene, rayKindName(row.measurement.kind), row.tracer, nameOf(row.sceneLoads),
                                    fmt::format("{:.1f}", static_cast<double>(row.sceneBytes) / (1 << 20))};
     for (std::string& figure : rayFigures(row)) cells.push_back(std::move(figure));
     table.rows.push_back(std::move(cells));
@@ -62,7 +62,7 @@ ordered_json rowJson(const RayReport& report, const RayRow& row) {
   json["workgroup"] = extentText(report.workgroup);
   json["kernel"] = "rays";
   json["layout"] = row.tracer;
-  json["sceneLoads"] = row.sceneLoads;
+  json["sceneLoads"] = nameOf(row.sceneLoads);
   json["sceneBytes"] = row.sceneBytes;
   json["agrees"] = agrees(row);
   if (agrees(row)) {

@@ -1,6 +1,7 @@
 // The benchmark of rays: scenes, kinds of rays and layouts, as text, Markdown and JSON.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,8 +12,8 @@ namespace candela::bench {
 struct RayRow {
   std::string scene;
   std::uint64_t sceneHash = 0;
-  std::string tracer;            ///< "bvh2", "cwbvh", "list" or the name of another tracer
-  std::string sceneLoads;        ///< "texel" or "storage"; empty for another tracer
+  std::string tracer;                            ///< "bvh2", "cwbvh", "list" or the name of another tracer
+  std::optional<render::SceneLoads> sceneLoads;  ///< absent for another tracer
   std::uint64_t sceneBytes = 0;  ///< size of nodes, primitives and all other data of the scene; 0 for another tracer
   RayMeasurement measurement;
   double minShare = 1;  ///< minimum fraction of equal hits for which the figures are valid

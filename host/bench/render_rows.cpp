@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "host/core/hash_text.h"
@@ -45,28 +46,42 @@ void addFigures(const Measurement& m, ordered_json& json) {
   json["efficiency"] = m.efficiency();
 }
 
+const render::RenderStatistics& firstOf(const RenderRows& report) { return report.rows.front().measurement.statistics; }
+
 }  // namespace
 
-ordered_json rowJson(const std::string& scene, std::uint64_t sceneHash, const Measurement& m) {
+bool RenderRows::agree() const {
+  return std::ranges::all_of(rows, [](const RenderRow& row) { return row.measurement.agrees; });
+}
+
+ordered_json toJson(const RenderRow& row) {
+  const Measurement& m = row.measurement;
   ordered_json json;
-  json["scene"] = scene;
-  json["sceneHash"] = hashText(sceneHash);
+  json["scene"] = row.scene;
+  json["sceneHash"] = hashText(row.sceneHash);
   json["filmHash"] = hashText(m.filmHash);
   json["agrees"] = m.agrees;
   json["variant"] = m.variant.name;
-  json["structure"] = render::structureName(m.statistics.structure);
-  json["bvhSplit"] = m.statistics.bvhSplit;
-  json["bvhQuality"] = m.statistics.bvhQuality;
+  json["structure"] = nameOf(m.statistics.structure);
+  json["bvhSplit"] = nameOf(m.statistics.bvhSplit);
+  json["bvhQuality"] = nameOf(m.statistics.bvhQuality);
   json["size"] = extentText(m.variant.settings.image.size);
   json["samplesPerPixel"] = m.variant.settings.image.sampleCount;
   json["workgroup"] = extentText(m.statistics.workgroup);
   json["segmentsPerDispatch"] = m.statistics.maxSegmentsPerDispatch;
-  json["kernel"] = m.statistics.kernel;
-  json["layout"] = m.statistics.layout;
-  json["sceneLoads"] = m.statistics.sceneLoads;
+  json["kernel"] = nameOf(m.statistics.kernel);
+  json["layout"] = nameOf(m.statistics.layout);
+  json["sceneLoads"] = nameOf(m.statistics.sceneLoads);
   json["auto"] = m.statistics.automaticOrigin;
   if (m.agrees) addFigures(m, json);
+  if (row.publishedSeconds) json["publishedSeconds"] = *row.publishedSeconds;
   return json;
+}
+
+ordered_json rowsJson(const RenderRows& report) {
+  ordered_json rows = ordered_json::array();
+  for (const RenderRow& row : report.rows) rows.push_back(toJson(row));
+  return rows;
 }
 
 ordered_json reportJson(const std::string& schema, const std::string& device, const std::string& driver,
@@ -79,10 +94,17 @@ ordered_json reportJson(const std::string& schema, const std::string& device, co
   return json;
 }
 
+ordered_json reportJson(const RenderRows& report) {
+  const render::RenderStatistics& statistics = firstOf(report);
+  return reportJson(kBenchSchema, statistics.device, statistics.driver, report.repeats, report.agree());
+}
+
 std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats) {
   const std::string driver = statistics.driver.empty() ? "" : ", " + statistics.driver;
   return fmt::format("candela {} on {}{}; median of {}, runs interleaved", versionText(), statistics.device, driver,
                      repeats);
 }
+
+std::string headline(const RenderRows& report) { return headline(firstOf(report), report.repeats); }
 
 }  // namespace candela::bench

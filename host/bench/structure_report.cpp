@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
 #include "host/statistics/quantiles.h"
 
@@ -26,10 +25,11 @@ Variant variantOf(const char* name, render::RenderSettings settings, render::Acc
 // Returns the structure that was used, not the requested one: the reference has its own BVH, and none for few
 // primitives, and devices trace few primitives as a list of records of one kind.
 std::string structureText(const Measurement& m) {
-  if (m.statistics.layout == "list") return "list (too few primitives for a BVH)";
+  if (m.statistics.layout == render::LayoutInUse::list) return "list (too few primitives for a BVH)";
   if (m.statistics.structure == render::AccelKind::grid) return "uniform grid";
   if (m.statistics.structure == render::AccelKind::none) return "none";
-  return m.statistics.bvhSplit == "sah" ? "BVH, SAH" : "BVH, " + m.statistics.bvhSplit;
+  return m.statistics.bvhSplit == render::SplitInUse::sah ? "BVH, SAH"
+                                                          : fmt::format("BVH, {}", nameOf(m.statistics.bvhSplit));
 }
 
 double structureBytes(const Measurement& measurement) {
@@ -39,8 +39,7 @@ double structureBytes(const Measurement& measurement) {
 }
 
 bool hasPublished(const StructureReport& report) {
-  return std::any_of(report.rows.begin(), report.rows.end(),
-                     [](const StructureRow& row) { return row.publishedSeconds; });
+  return std::any_of(report.rows.begin(), report.rows.end(), [](const RenderRow& row) { return row.publishedSeconds; });
 }
 
 std::vector<std::string> structureFigures(const Measurement& m) {
@@ -60,7 +59,7 @@ TextTable tableOf(const StructureReport& report) {
                   "spread", "Msamples/s", "Mrays/s",  "steps per ray"};
   const bool published = hasPublished(report);
   if (published) table.header.emplace_back("published s");
-  for (const StructureRow& row : report.rows) {
+  for (const RenderRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, structureText(row.measurement)};
     for (std::string& figure : structureFigures(row.measurement)) cells.push_back(std::move(figure));
     if (published) cells.push_back(row.publishedSeconds ? fmt::format("{:.1f}", *row.publishedSeconds) : "");
@@ -69,17 +68,7 @@ TextTable tableOf(const StructureReport& report) {
   return table;
 }
 
-const render::RenderStatistics& first(const StructureReport& report) {
-  return report.rows.front().measurement.statistics;
-}
-
-std::string headline(const StructureReport& report) { return bench::headline(first(report), report.repeats); }
-
 }  // namespace
-
-bool StructureReport::agree() const {
-  return std::all_of(rows.begin(), rows.end(), [](const StructureRow& row) { return row.measurement.agrees; });
-}
 
 std::vector<Variant> structureVariants(const render::RenderSettings& settings) {
   return {variantOf("uniform grid", settings, render::AccelKind::grid, render::BvhSplit::sah),
@@ -94,12 +83,8 @@ std::string toMarkdown(const StructureReport& report) {
 }
 
 ordered_json toJson(const StructureReport& report) {
-  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats,
-                                 report.agree());
-  for (const StructureRow& row : report.rows) {
-    json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
-    if (row.publishedSeconds) json["rows"].back()["publishedSeconds"] = *row.publishedSeconds;
-  }
+  ordered_json json = reportJson(report);
+  json["rows"] = rowsJson(report);
   return json;
 }
 

@@ -3,10 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
 #include "host/core/version.h"
 #include "host/report/bar_chart.h"
@@ -18,8 +16,6 @@ namespace {
 using nlohmann::ordered_json;
 using statistics::median;
 using statistics::spread;
-
-const render::RenderStatistics& first(const SweepReport& report) { return report.rows.front().measurement.statistics; }
 
 double raysPerSample(const Measurement& m) {
   return m.statistics.samples > 0 ? static_cast<double>(m.statistics.rays()) / static_cast<double>(m.statistics.samples)
@@ -41,7 +37,7 @@ TextTable tableOf(const SweepReport& report) {
   TextTable table;
   table.header = {"scene",   "variant",         "ms",     "spread",      "Msamples/s",
                   "Mrays/s", "rays per sample", "relMSE", "1/(s relMSE)"};
-  for (const SweepRow& row : report.rows) {
+  for (const RenderRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, row.measurement.variant.name};
     for (std::string& figure : sweepFigures(row.measurement)) cells.push_back(std::move(figure));
     table.rows.push_back(std::move(cells));
@@ -49,14 +45,12 @@ TextTable tableOf(const SweepReport& report) {
   return table;
 }
 
-std::string headline(const SweepReport& report) { return bench::headline(first(report), report.repeats); }
-
 // Returns the fastest variant among the rows of one scene, starting at `from`, and moves `from` past them.
-const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
-  const SweepRow* fastest = nullptr;
-  const SweepRow& start = report.rows[from];
+const RenderRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
+  const RenderRow* fastest = nullptr;
+  const RenderRow& start = report.rows[from];
   for (; from < report.rows.size() && report.rows[from].scene == start.scene; ++from) {
-    const SweepRow& row = report.rows[from];
+    const RenderRow& row = report.rows[from];
     if (!row.measurement.agrees) continue;
     if (fastest == nullptr || row.measurement.msamplesPerSecond() > fastest->measurement.msamplesPerSecond())
       fastest = &row;
@@ -64,7 +58,7 @@ const SweepRow* fastestOfScene(const SweepReport& report, std::size_t& from) {
   return fastest;
 }
 
-std::string lineOf(const SweepRow& row, std::uint32_t repeats) {
+std::string lineOf(const RenderRow& row, std::uint32_t repeats) {
   const Measurement& m = row.measurement;
   const render::RenderStatistics& s = m.statistics;
   return fmt::format(
@@ -77,7 +71,7 @@ std::string lineOf(const SweepRow& row, std::uint32_t repeats) {
 std::string linesToPaste(const SweepReport& report) {
   std::string lines;
   for (std::size_t from = 0; from < report.rows.size();) {
-    if (const SweepRow* const row = fastestOfScene(report, from)) lines += lineOf(*row, report.repeats);
+    if (const RenderRow* const row = fastestOfScene(report, from)) lines += lineOf(*row, report.repeats);
   }
   return lines;
 }
@@ -90,10 +84,6 @@ report::Bar barOf(const Measurement& m) {
 
 }  // namespace
 
-bool SweepReport::agree() const {
-  return std::all_of(rows.begin(), rows.end(), [](const SweepRow& row) { return row.measurement.agrees; });
-}
-
 std::string toText(const SweepReport& report) {
   return headline(report) + "\n\n" + toText(tableOf(report)) + "\n" + linesToPaste(report);
 }
@@ -101,16 +91,15 @@ std::string toText(const SweepReport& report) {
 std::string toMarkdown(const SweepReport& report) { return headline(report) + "\n\n" + toMarkdown(tableOf(report)); }
 
 ordered_json toJson(const SweepReport& report) {
-  ordered_json json = reportJson(kBenchSchema, first(report).device, first(report).driver, report.repeats,
-                                 report.agree());
+  ordered_json json = reportJson(report);
   json["processBytes"] = report.processBytes;
-  for (const SweepRow& row : report.rows) json["rows"].push_back(rowJson(row.scene, row.sceneHash, row.measurement));
+  json["rows"] = rowsJson(report);
   return json;
 }
 
 std::string toSvg(const SweepReport& report) {
   std::vector<report::BarGroup> groups;
-  for (const SweepRow& row : report.rows) {
+  for (const RenderRow& row : report.rows) {
     if (groups.empty() || groups.back().title != row.scene) groups.push_back({row.scene, {}});
     groups.back().bars.push_back(barOf(row.measurement));
   }

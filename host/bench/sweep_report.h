@@ -2,25 +2,13 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <vector>
 
-#include "host/bench/measure.h"
+#include "host/bench/render_rows.h"
 
 namespace candela::bench {
 
-struct SweepRow {
-  std::string scene;
-  std::uint64_t sceneHash = 0;
-  Measurement measurement;
-};
-
-struct SweepReport {
-  std::uint32_t repeats = 1;
+struct SweepReport : RenderRows {
   std::uint64_t processBytes = 0;  ///< peak resident memory of the process
-  std::vector<SweepRow> rows;      ///< the rows of one scene are consecutive
-
-  /// Returns whether all variants of each image gave the same film.
-  bool agree() const;
 };
 
 /// Returns a table, followed by one line per scene that is suitable for publication. A row whose film differs shows the

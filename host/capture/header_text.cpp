@@ -19,10 +19,10 @@ using vulkan::Usage;
 constexpr std::size_t kMaxObjects = 64;
 constexpr std::size_t kMaxBindings = 16;
 
-void requireFew(std::size_t count, std::size_t most, const char* what) {
-  if (count <= most) return;
+void requireFew(std::size_t count, std::size_t max, const char* what) {
+  if (count <= max) return;
   throw UsageError(
-      fmt::format("the work has {} {}, and reproduce.c takes {}: it cannot be captured", count, what, most));
+      fmt::format("the work has {} {}, and reproduce.c takes {}: it cannot be captured", count, what, max));
 }
 
 const char* useOf(BindingKind kind) {

@@ -29,8 +29,8 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
   std::vector<RayMeasurement> measurements = bench::measureRays(all, sets, report.repeats, &watchInterrupts());
   for (std::size_t i = 0; i < measurements.size(); ++i) {
     const DeviceTracer& tracer = *tracers[i % tracers.size()];
-    report.rows.push_back({job.scene.name, job.scene.hash, tracer.layout(), tracer.sceneLoads(), tracer.sceneBytes(),
-                           std::move(measurements[i])});
+    report.rows.push_back({job.scene.name, job.scene.hash, nameOf(tracer.layout()), tracer.sceneLoads(),
+                           tracer.sceneBytes(), std::move(measurements[i])});
   }
   return !measurements.empty();
 }

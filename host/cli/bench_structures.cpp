@@ -18,8 +18,8 @@ namespace candela::cli {
 namespace {
 
 using bench::Measurement;
+using bench::RenderRow;
 using bench::StructureReport;
-using bench::StructureRow;
 using bench::Variant;
 
 // A built-in scene, and its published seconds at 512 x 512 with 15 x 15 rays per pixel (docs/comparison.md).
@@ -35,17 +35,17 @@ const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0,
 constexpr std::uint32_t kTable1Samples = 15 * 15;
 
 // Returns the rows of one scene, or none if the run was interrupted.
-std::vector<StructureRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
-                                       const Arguments& arguments, render::Renderer& renderer, const Log& log) {
+std::vector<RenderRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
+                                    const Arguments& arguments, render::Renderer& renderer, const Log& log) {
   const std::vector<Variant> variants = bench::structureVariants(settings);
   log.note(fmt::format("{}: {}x{} pixels, {} per pixel, {} structures, runs of each: {}", scene.name,
                        settings.image.size.width, settings.image.size.height,
                        counted(settings.image.sampleCount, "sample"), variants.size(), arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
-  std::vector<StructureRow> rows;
+  std::vector<RenderRow> rows;
   for (Measurement& measurement : bench::measureInterleaved(renderer, scene, variants, arguments.repeats,
                                                             makeControl(progress), bench::Preparation::everyRun)) {
-    rows.push_back({scene.name, scene.hash, std::move(measurement), std::nullopt});
+    rows.push_back({scene.name, scene.hash, std::move(measurement)});
   }
   return rows;
 }
@@ -56,8 +56,8 @@ bool isPublishedWork(const render::RenderSettings& settings) {
          settings.image.size.width == 512 && settings.image.size.height == 512;
 }
 
-bool append(std::vector<StructureRow> rows, StructureReport& report) {
-  for (StructureRow& row : rows) report.rows.push_back(std::move(row));
+bool append(std::vector<RenderRow> rows, StructureReport& report) {
+  for (RenderRow& row : rows) report.rows.push_back(std::move(row));
   return !rows.empty();
 }
 
@@ -72,8 +72,8 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
     resolved.request.settings.image.oneSided |= published.oneSided;
     resolveRequests(resolved, scene, log);
     requirePossible(resolved, scene, log);
-    std::vector<StructureRow> rows = measureScene(scene, resolved.request.settings, resolved, *renderer, log);
-    for (StructureRow& row : rows) {
+    std::vector<RenderRow> rows = measureScene(scene, resolved.request.settings, resolved, *renderer, log);
+    for (RenderRow& row : rows) {
       const render::RenderSettings& settings = row.measurement.variant.settings;
       if (!isPublishedWork(settings)) break;
       if (settings.structure.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;

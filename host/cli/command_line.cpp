@@ -8,19 +8,15 @@
 #include <array>
 #include <sstream>
 
+#include "host/cli/argument_checks.h"
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
-#include "host/cli/file_kinds.h"
 #include "host/cli/option_groups.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
 
 namespace candela::cli {
 namespace {
-
-[[noreturn]] void fail(Command command, const std::string& message) {
-  throw UsageError(fmt::format("{}\nsee candela {} --help", message, commandInfo(command).name));
-}
 
 // A word like "rendr" is regarded as a mistyped command rather than a scene, if it does not look like a path and no
 // such file exists.
@@ -72,10 +68,10 @@ Arguments helpFor(std::span<const std::string> words) {
     if (option.isFor(command)) {
       known.push_back(option.name());
     } else if (option.name() == name) {
-      fail(command, fmt::format("{} is not an option of candela {}", name, commandInfo(command).name));
+      refuse(command, fmt::format("{} is not an option of candela {}", name, commandInfo(command).name));
     }
   }
-  fail(command, fmt::format("unknown option {}{}", name, didYouMean(name, known)));
+  refuse(command, fmt::format("unknown option {}{}", name, didYouMean(name, known)));
 }
 
 // Returns the first word of a list that is none of the words of the option, with a suggestion; for other options, the
@@ -92,8 +88,8 @@ std::string wrongPart(const Option& option, const std::string& value) {
 void apply(const Option& option, const std::vector<std::string>& values, Arguments& arguments) {
   for (const std::string& value : values) {
     if (!option.apply(arguments, value)) {
-      fail(arguments.command,
-           fmt::format("{}: expected {}, got {}", option.name(), option.expected, wrongPart(option, value)));
+      refuse(arguments.command,
+             fmt::format("{}: expected {}, got {}", option.name(), option.expected, wrongPart(option, value)));
     }
   }
   if (!values.empty()) arguments.given.insert(option.name());
@@ -146,9 +142,9 @@ void split(std::span<const std::string> words, Arguments& arguments) {
     app.parse(reversed);
   } catch (const CLI::ArgumentMismatch& error) {
     const std::string message = error.what();  // "--spp: 1 required ..."
-    fail(arguments.command, message.substr(0, message.find(':')) + " needs a value");
+    refuse(arguments.command, message.substr(0, message.find(':')) + " needs a value");
   } catch (const CLI::ParseError& error) {
-    fail(arguments.command, error.what());
+    refuse(arguments.command, error.what());
   }
   for (const std::string& extra : app.remaining()) {
     if (extra != "--") refuseUnknownOption(arguments.command, extra);
@@ -162,99 +158,13 @@ void nameStdin(Arguments& arguments) {
   std::ranges::replace(arguments.files, std::string("-"), std::string("/dev/stdin"));
 }
 
-void requireFileCount(const Arguments& arguments) {
-  const CommandInfo& info = commandInfo(arguments.command);
-  const std::size_t count = arguments.files.size();
-  if (count < info.minFileCount) fail(info.command, fmt::format("no {} given", info.fileNoun));
-  if (count > info.maxFileCount)
-    fail(info.command, fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
-}
-
-// Options for tracing do not affect the comparison of two images. They are refused, since ignoring them would hide a
-// misunderstanding.
-void refuseTracingOptionsForImages(const Arguments& arguments) {
-  if (arguments.command != Command::compare || arguments.files.size() != 2) return;
-  for (const Option& option : optionTable()) {
-    const bool tracing = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile ||
-                         option.group == OptionGroup::execution;
-    if (tracing && arguments.given.contains(option.name())) {
-      fail(Command::compare, fmt::format("{} is for comparing one scene, not two images", option.name()));
-    }
-  }
-}
-
-void refuseImageOptionsForScene(const Arguments& arguments) {
-  if (arguments.command != Command::compare || arguments.files.size() != 1) return;
-  for (const Option& option : optionTable()) {
-    const bool imaging = option.group == OptionGroup::comparison || option.group == OptionGroup::output;
-    if (imaging && arguments.given.contains(option.name())) {
-      fail(Command::compare, fmt::format("{} is for comparing two images, not one scene", option.name()));
-    }
-  }
-}
-
-void requireOutput(const Arguments& arguments) {
-  if (arguments.command != Command::render) return;
-  if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
-  if (!arguments.checkpoint.empty() || arguments.displayServer) return;
-  fail(Command::render,
-       "no output given: write the image with -o FILE or the film with --checkpoint FILE, or only measure with --stats "
-       "or --json FILE");
-}
-
-// An option that only completes another one.
-void requireTogether(const Arguments& arguments, const char* option, const char* other) {
-  if (!arguments.given.contains(option) || arguments.given.contains(other)) return;
-  fail(arguments.command, fmt::format("{} has no effect without {}", option, other));
-}
-
-void requireCompleteOptions(const Arguments& arguments) {
-  requireTogether(arguments, "--checkpoint-every", "--checkpoint");
-  requireTogether(arguments, "--resume-anyway", "--resume");
-  requireTogether(arguments, "--animation", "--time");
-}
-
-void requireFormats(const Arguments& arguments) {
-  for (const auto& film : {arguments.mergedFilm, arguments.checkpoint}) {
-    refuseOtherFormat(film, {".exr"}, "a film is an OpenEXR file");
-  }
-  refuseOtherFormat(arguments.report, {".html", ".htm"}, "the report is an HTML page");
-}
-
-void requireMergedFilm(const Arguments& arguments) {
-  if (arguments.command == Command::merge && arguments.mergedFilm.empty()) {
-    fail(Command::merge, "no output given: name the merged film with -o FILE");
-  }
-}
-
-void requireTreeDepth(const Arguments& arguments) {
-  const bool tooDeep = arguments.request.maxDepth && *arguments.request.maxDepth > render::kMaxTreeDepth;
-  if (arguments.request.settings.image.integrator != render::Integrator::whitted || !tooDeep) return;
-  fail(arguments.command, fmt::format("--max-depth {}: the maximum with --integrator whitted is {}",
-                                      *arguments.request.maxDepth, render::kMaxTreeDepth));
-}
-
-void requireOneReaderOfStdout(const Arguments& arguments) {
-  const std::pair<const char*, bool> writers[]{
-      {"--stats", arguments.printStatistics}, {"--markdown -", arguments.markdown == "-"},
-      {"--svg -", arguments.svg == "-"},      {"--csv -", arguments.conformance.csv == "-"},
-      {"--junit -", arguments.junit == "-"},  {"--json -", arguments.json == "-"}};
-  const char* first = nullptr;
-  for (const auto& [option, writes] : writers) {
-    if (!writes) continue;
-    if (first != nullptr) fail(arguments.command, fmt::format("{} and {} both write to stdout", first, option));
-    first = option;
-  }
-}
-
 }  // namespace
 
 Arguments parseOptions(Command command, std::span<const std::string> words) {
   Arguments arguments;
   arguments.command = command;
   split(words, arguments);
-  requireCompleteOptions(arguments);
-  requireTreeDepth(arguments);
+  checkOptions(arguments);
   return arguments;
 }
 
@@ -266,15 +176,7 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   split(words, arguments);
   if (arguments.help || arguments.version) return arguments;
   nameStdin(arguments);
-  requireFileCount(arguments);
-  refuseTracingOptionsForImages(arguments);
-  refuseImageOptionsForScene(arguments);
-  requireOutput(arguments);
-  requireCompleteOptions(arguments);
-  requireMergedFilm(arguments);
-  requireFormats(arguments);
-  requireOneReaderOfStdout(arguments);
-  requireTreeDepth(arguments);
+  checkArguments(arguments);
   return arguments;
 }
 

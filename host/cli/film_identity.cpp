@@ -28,13 +28,14 @@ bool isSetting(const Option& option) {
 }
 
 // Films of earlier versions call the list of a small scene "row".
-std::string layoutText(const render::RenderStatistics& statistics) {
-  return statistics.layout == "list" ? "row" : statistics.layout;
+const char* layoutText(render::LayoutInUse layout) {
+  return layout == render::LayoutInUse::list ? "row" : nameOf(layout);
 }
 
 std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
-  return fmt::format("{} {} {} {} density {}", render::structureName(statistics.structure), statistics.bvhSplit,
-                     statistics.bvhQuality, layoutText(statistics), job.settings().structure.gridDensity);
+  return fmt::format("{} {} {} {} density {}", nameOf(statistics.structure), nameOf(statistics.bvhSplit),
+                     nameOf(statistics.bvhQuality), layoutText(statistics.layout),
+                     job.settings().structure.gridDensity);
 }
 
 // Films of versions without these options can be resumed, because films record these options only if they do not
@@ -120,8 +121,8 @@ void requireSameScale(const film::FilmReader& film, const film::FilmHeader& head
 
 template <class T>
 void insertSorted(std::vector<T>& items, const T& item) {
-  const auto place = std::ranges::lower_bound(items, item);
-  if (place == items.end() || *place != item) items.insert(place, item);
+  const auto found = std::ranges::lower_bound(items, item);
+  if (found == items.end() || *found != item) items.insert(found, item);
 }
 
 // Returns the first sample of a film, which must be one that samples can be appended to. `isPart`: the range is that of

@@ -40,7 +40,7 @@ Report tracersReport(const RenderJob& job, const image::Film& device, const imag
   const std::string sceneHash = hashText(job.scene.hash);
   page.facts = {{"Tracer", statistics.device, "the reference: double precision, on the CPU"},
                 {"Driver", statistics.driver, "none"},
-                {"Kernel", statistics.kernel, "none"},
+                {"Kernel", nameOf(statistics.kernel), "none"},
                 {"Scene hash", sceneHash, sceneHash},
                 {"Film hash", hashText(device.hash()), hashText(reference.hash())}};
   return page;

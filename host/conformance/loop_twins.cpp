@@ -78,13 +78,13 @@ Words endInTheMiddle(std::uint32_t state, std::uint32_t) { return sumOfSamples(s
 Words endAtTheEnd(std::uint32_t state, std::uint32_t) { return sumOfSamples(state, true); }
 
 Words valuesAfterBreak(std::uint32_t state, std::uint32_t) {
-  std::uint32_t turns = 1;
+  std::uint32_t iterations = 1;
   std::uint32_t after = nextWord(state);
-  for (; after >> 27 != 3; ++turns) {
+  for (; after >> 27 != 3; ++iterations) {
     state = after;
     after = nextWord(state);
   }
-  return {after, state, turns, after ^ state};
+  return {after, state, iterations, after ^ state};
 }
 
 Words nestedBreak(std::uint32_t state, std::uint32_t) {

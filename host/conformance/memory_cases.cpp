@@ -105,9 +105,9 @@ void checkStorageBarrier(const MemoryRow& row, Span, Span outputs, Mismatches& m
   for (std::uint32_t first = 0; first < row.invocations; first += kGroup) {
     WordList words;
     for (std::uint32_t i = first; i < first + kGroup; ++i) words.push_back(nextWord(i));
-    for (std::uint32_t turn = 0; turn < 8; ++turn) {
+    for (std::uint32_t iteration = 0; iteration < 8; ++iteration) {
       const WordList before = words;
-      for (std::uint32_t k = 0; k < kGroup; ++k) words[k] = nextWord(before[k] ^ before[(5 * k + turn) % kGroup]);
+      for (std::uint32_t k = 0; k < kGroup; ++k) words[k] = nextWord(before[k] ^ before[(5 * k + iteration) % kGroup]);
     }
     for (std::uint32_t k = 0; k < kGroup; ++k) {
       mismatches.expect(fmt::format("invocation {} of workgroup {}", k, first / kGroup), {kMemoryOutputs, first + k},

@@ -1,4 +1,4 @@
-// Allocates the buffers of a band, and dispatches tiles until the band is finished.
+// Fills and reads the buffers of a band, and dispatches tiles until the band is finished.
 #include "host/device/band.h"
 
 #include <fmt/format.h>
@@ -13,6 +13,7 @@
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/hash.h"
+#include "host/device/band_layout.h"
 #include "host/device/tile_cursor.h"
 #include "host/device/unfinished_rows.h"
 #include "host/device/wavefront.h"
@@ -20,8 +21,6 @@
 namespace candela::device {
 namespace {
 
-constexpr std::uint64_t kRecordBytes = gpu::kRecordedVertices * sizeof(gpu::uvec2);
-constexpr std::uint64_t kHitListBytes = gpu::kListedHits * sizeof(gpu::uint);
 constexpr std::uint64_t kChunkBytes = std::uint64_t{4} << 20;  // path states are copied in chunks of this size
 
 // A pixel's state starts with a PathState or a TreeState, both of which have the sample index at the same offset.
@@ -29,28 +28,6 @@ constexpr std::size_t kSampleIndexOffset = offsetof(gpu::PathState, radianceSamp
 constexpr std::uint32_t kNever = 0x80000000u;  // index of a sample beyond every range
 static_assert(offsetof(gpu::TreeState, radianceSample) == offsetof(gpu::PathState, radianceSample));
 static_assert(offsetof(gpu::WaveState, path) == 0);
-
-// Bytes of a pixel in the film buffer.
-std::uint64_t filmBytesPerPixel(const render::RenderSettings& settings) {
-  return sizeof(gpu::FilmRows) +
-         sizeof(image::LayerRow) * image::layerRowCount(image::layerSumsOf(settings.image.layers)) +
-         (hasMattes(settings.image.layers) ? kHitListBytes : 0);
-}
-
-/// Bytes before the path records of `pixels` pixels.
-std::uint64_t headerBytes(const Kernel& kernel, std::uint64_t pixels) {
-  return sizeof(gpu::Counters) + (kernel.isWavefront() ? queueBytes(pixels) : 0);
-}
-
-std::uint64_t largestBytesPerPixel(const Kernel& kernel, const render::RenderSettings& settings) {
-  const std::uint64_t path = std::max<std::uint64_t>(kernel.stateBytes, filmBytesPerPixel(settings));
-  const std::uint64_t queues = headerBytes(kernel, 1) - headerBytes(kernel, 0);
-  return settings.execution.recordPaths ? std::max(path, queues + kRecordBytes) : path;
-}
-
-std::uint64_t resultBytes(const Kernel& kernel, const render::RenderSettings& settings, std::uint64_t pixels) {
-  return headerBytes(kernel, pixels) + (settings.execution.recordPaths ? kRecordBytes * pixels : sizeof(gpu::uvec2));
-}
 
 vulkan::Usage resultUsage(const Kernel& kernel) {
   return kernel.isWavefront() ? vulkan::Usage::storage | vulkan::Usage::indirect : vulkan::Usage::storage;
@@ -92,24 +69,6 @@ render::VertexRecord unpackRecord(const gpu::uvec2& packed) {
 }
 
 }  // namespace
-
-std::uint64_t bandRowBytes(const Kernel& kernel, const render::RenderSettings& settings) {
-  const std::uint64_t width = settings.image.window().width;
-  return (kernel.stateBytes + filmBytesPerPixel(settings)) * width + resultBytes(kernel, settings, width);
-}
-
-std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
-                         std::uint64_t maxBytes) {
-  const std::uint64_t rowBytes = largestBytesPerPixel(kernel, settings) * settings.image.window().width;
-  const std::uint64_t allowedBytes = std::min(info.maxStorageBufferRange, maxBytes);
-  const std::uint64_t header = headerBytes(kernel, 0);
-  const std::uint64_t rows = allowedBytes <= header ? 0 : (allowedBytes - header) / rowBytes;
-  if (rows == 0) {
-    throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
-                                settings.image.window().width, rowBytes >> 10, info.name, allowedBytes >> 10));
-  }
-  return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.window().height));
-}
 
 Band::Band(vulkan::Device& device, const Kernel& kernel, std::vector<vulkan::ComputePipeline> pipelines,
            const DeviceScene& scene, const render::RenderSettings& settings, std::uint32_t maxHeight)
@@ -161,8 +120,8 @@ void Band::setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t
   for (std::uint64_t first = 0; first < pixels(); first += chunk) {
     std::vector<std::byte> states(std::min(chunk, pixels() - first) * size);
     for (std::uint64_t i = 0; i * size < states.size(); ++i) {
-      const std::uint64_t place = std::uint64_t{width_} * rows_.first + first + i;
-      const bool getsSamples = render::isSelected(mask, place);
+      const std::uint64_t pixel = std::uint64_t{width_} * rows_.first + first + i;
+      const bool getsSamples = render::isSelected(mask, pixel);
       const std::uint32_t index = getsSamples ? firstSample + (film.empty() ? 0 : film[first + i].sampleCount) : kNever;
       std::memcpy(&states[i * size + kSampleIndexOffset], &index, sizeof index);
       samplesBefore_ += index;
@@ -207,8 +166,6 @@ double Band::dispatch(const Rect& region, std::uint32_t segments, std::uint32_t 
   };
   return device_.run(record);
 }
-
-std::uint64_t Band::recordOffset() const { return headerBytes(kernel_, pixels()); }
 
 const gpu::Counters& Band::counters() const {
   return *reinterpret_cast<const gpu::Counters*>(counters_.mapped().data());
@@ -290,7 +247,7 @@ void Band::readFilm(std::span<image::FilmPixel> film, std::span<image::LayerRow>
 
 std::vector<std::uint32_t> Band::readHitLists() const {
   std::vector<std::uint32_t> lists(pixels() * gpu::kListedHits);
-  film_.download(std::as_writable_bytes(std::span(lists)), (filmBytesPerPixel(settings_) - kHitListBytes) * pixels());
+  film_.download(std::as_writable_bytes(std::span(lists)), hitListOffset(settings_, pixels()));
   return lists;
 }
 
@@ -310,7 +267,7 @@ void Band::addCounts(render::RenderStatistics& statistics) const {
 
 void Band::readRecords(render::PathRecords& paths) const {
   std::vector<gpu::uvec2> packed(pixels() * gpu::kRecordedVertices);
-  results_.download(std::as_writable_bytes(std::span(packed)), recordOffset());
+  results_.download(std::as_writable_bytes(std::span(packed)), recordOffset(kernel_, pixels()));
   for (std::uint64_t pixel = 0; pixel < pixels(); ++pixel) {
     render::PathRecord& path = paths.emplace_back();
     for (std::uint32_t i = 0; i < gpu::kRecordedVertices; ++i) {

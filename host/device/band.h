@@ -19,14 +19,6 @@
 
 namespace candela::device {
 
-/// Returns the maximum height of a band whose largest buffer has at most `maxBytes` and can be bound by the device, at
-/// least 1. Throws FileError if one row of the image is too large.
-std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, const render::RenderSettings& settings,
-                         std::uint64_t maxBytes);
-
-/// Returns the bytes of all buffers of a band of one row.
-std::uint64_t bandRowBytes(const Kernel& kernel, const render::RenderSettings& settings);
-
 /// Buffers for one band. They are created once and used for one band of the image after the other.
 class Band {
  public:
@@ -74,8 +66,6 @@ class Band {
   void setFirstSamples(std::span<const image::FilmPixel> film, std::uint32_t firstSample,
                        const render::PixelMask& mask);
   void clearCounters();
-  /// Offset of the path records in results_.
-  std::uint64_t recordOffset() const;
   const gpu::Counters& counters() const;
   std::uint64_t takeFinishedSamples();
   std::uint64_t stateHash() const;

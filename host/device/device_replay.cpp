@@ -30,7 +30,7 @@ gpu::PathState stateBefore(const render::PixelSample& sample) {
 
 }  // namespace
 
-Kernel replayKernel() { return {"replay", {spirv::replay}, sizeof(gpu::PathState), nullptr}; }
+Kernel replayKernel() { return {render::KernelInUse::replay, {spirv::replay}, sizeof(gpu::PathState), nullptr}; }
 
 render::PathTrace replayOnDevice(vulkan::Device& device, const vulkan::ComputePipeline& pipeline,
                                  const DeviceScene& scene, const render::PixelSample& sample, std::uint32_t maxDepth,

@@ -9,6 +9,7 @@
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
+#include "host/device/band_layout.h"
 #include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
 #include "host/device/hit_lists.h"
@@ -25,11 +26,11 @@ namespace {
 
 void describeBuild(const render::StructureSettings& structure, render::RenderStatistics& statistics) {
   if (structure.bvhSplit == render::BvhSplit::midpoint) {
-    statistics.bvhSplit = "midpoint";
+    statistics.bvhSplit = render::SplitInUse::midpoint;
     return;
   }
-  statistics.bvhSplit = "sah";
-  statistics.bvhQuality = flatten::buildQualityName(structure.bvhQuality);
+  statistics.bvhSplit = render::SplitInUse::sah;
+  statistics.bvhQuality = structure.bvhQuality;
 }
 
 }  // namespace
@@ -77,11 +78,11 @@ void GpuSession::describe() {
   prepared_.kernels = kernelsHash();
   prepared_.structure = settings_.structure.accel;
   if (prepared_.structure == render::AccelKind::bvh) describeBuild(settings_.structure, prepared_);
-  prepared_.layout = flat_.uniformSlots > 0 ? "list" : flatten::layoutName(flat_.structure);
-  prepared_.kernel = kernel_.name;
+  prepared_.layout = flat_.layout();
+  prepared_.kernel = kernel_.kind;
   prepared_.workgroup = settings_.execution.workgroupInUse();
   prepared_.automaticOrigin = settings_.execution.automatic.origin;
-  prepared_.sceneLoads = deviceScene_->readsTexels() ? "texel" : "storage";
+  prepared_.sceneLoads = deviceScene_->readsTexels() ? render::SceneLoads::texel : render::SceneLoads::storage;
   prepared_.structureQuality = flat_.structureQuality;
 }
 

@@ -72,13 +72,14 @@ Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& s
   requireKernel(settings);
   if (settings.image.integrator == render::Integrator::whitted) {
     const std::uint32_t stateBytes = flat.constants.stateRows * static_cast<std::uint32_t>(sizeof(gpu::uvec4));
-    return {"whitted", {spirv::whitted}, stateBytes, addTreeCounts};
+    return {render::KernelInUse::whitted, {spirv::whitted}, stateBytes, addTreeCounts};
   }
-  if (isView(settings.image.integrator)) return {"views", {spirv::views}, sizeof(gpu::PathState), addPathCounts};
+  if (isView(settings.image.integrator))
+    return {render::KernelInUse::views, {spirv::views}, sizeof(gpu::PathState), addPathCounts};
   if (settings.execution.kernelInUse() == render::KernelKind::megakernel) {
-    return {"megakernel", {spirv::path}, sizeof(gpu::PathState), addPathCounts};
+    return {render::KernelInUse::megakernel, {spirv::path}, sizeof(gpu::PathState), addPathCounts};
   }
-  return {"wavefront",
+  return {render::KernelInUse::wavefront,
           {spirv::wave_gather, spirv::wave_extend, spirv::wave_shade, spirv::wave_shadow, spirv::wave_renew},
           sizeof(gpu::WaveState),
           addPathCounts};

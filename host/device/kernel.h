@@ -12,13 +12,13 @@
 namespace candela::device {
 
 struct Kernel {
-  const char* name = "";                              ///< as in RenderStatistics::kernel
+  render::KernelInUse kind = render::KernelInUse::megakernel;
   std::vector<std::span<const std::uint32_t>> spirv;  ///< one module, or those of the wavefront, indexed by WaveStage
   std::uint32_t stateBytes = 0;                       ///< of a pixel
   /// Adds the counts in one pixel's state, which is `stateBytes` long.
   void (*addCounts)(std::span<const std::byte> state, render::RenderStatistics& statistics) = nullptr;
 
-  bool isWavefront() const { return spirv.size() > 1; }
+  bool isWavefront() const { return kind == render::KernelInUse::wavefront; }
 };
 
 /// SHA-256 over the code of all kernels, 64 hexadecimal digits.

@@ -124,10 +124,10 @@ class VertexStage {
 
   void addShadowRay(const std::optional<render::LightTrace>& a, const std::optional<render::LightTrace>& b) {
     if (!a && !b) return;
-    const auto place = [&](const std::optional<render::LightTrace>& light) {
+    const auto position = [&](const std::optional<render::LightTrace>& light) {
       return light ? lightWords(light->primitive, scene_) : std::string();
     };
-    Quantity emitter = decision("light at", place(a), place(b));
+    Quantity emitter = decision("light at", position(a), position(b));
     emitter.differs = emitter.differs && a && b;
     add(std::move(emitter));
     add(vector("light direction", memberOf(a, &render::LightTrace::direction),

@@ -82,9 +82,8 @@ MatteRows mattesOf(std::span<const std::uint32_t> words, std::span<const image::
 std::array<std::uint32_t, image::kMatteKinds.size()> slotsOf(const image::Film& film) {
   std::array<std::uint32_t, image::kMatteKinds.size()> slots{};
   for (const image::MatteKind kind : image::kMatteKinds) {
-    auto& most = slots[static_cast<std::size_t>(kind)];
-    for (const image::IdCounts& counts : film.ids(kind))
-      most = std::max(most, static_cast<std::uint32_t>(counts.size()));
+    auto& max = slots[static_cast<std::size_t>(kind)];
+    for (const image::IdCounts& counts : film.ids(kind)) max = std::max(max, static_cast<std::uint32_t>(counts.size()));
   }
   return slots;
 }

@@ -21,9 +21,9 @@ std::uint32_t texelAlong(double s, std::uint32_t count, scene::TextureWrap wrap)
 }
 
 glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureReference& reference, const glm::dvec2& uv) {
-  const glm::dvec3 place(uv, 1);
-  const std::uint32_t x = texelAlong(glm::dot(glm::dvec3(reference.rowS), place), image.width, reference.wrapS);
-  const std::uint32_t y = texelAlong(glm::dot(glm::dvec3(reference.rowT), place), image.height, reference.wrapT);
+  const glm::dvec3 point(uv, 1);
+  const std::uint32_t x = texelAlong(glm::dot(glm::dvec3(reference.rowS), point), image.width, reference.wrapS);
+  const std::uint32_t y = texelAlong(glm::dot(glm::dvec3(reference.rowT), point), image.height, reference.wrapT);
   const std::size_t index = std::size_t{y} * image.width + x;
   const int bits = image.isDeep() ? 16 : 8;
   const std::uint64_t texel = image.isDeep() ? image.deepTexels[index] : image.texels[index];

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host/flatten/small_scene.h"
-#include "host/render/settings.h"
+#include "host/render/choices_in_use.h"
 #include "host/scene/scene.h"
 #include "shaders/shared/features.h"
 #include "shaders/shared/render_data.h"
@@ -27,12 +27,6 @@ struct SceneFeatures {
 /// Returns all features of a scene except those that noteLights() sets.
 SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator);
 
-/// Name of a BVH's nodes, as in --layout; empty for structures that are not BVHs.
-constexpr const char* layoutName(std::uint32_t structure) {
-  if (structure == gpu::kStructureBvh) return "bvh2";
-  return structure == gpu::kStructureWideBvh ? "cwbvh" : "";
-}
-
 inline constexpr std::uint32_t kAnyGridSide = 0xffffffffu;
 
 struct FlatScene {
@@ -49,6 +43,8 @@ struct FlatScene {
   std::uint32_t slotCount = 0;                                       ///< primitives, planes included
   double structureSeconds = 0;                                       ///< time of building the acceleration structure
   std::map<std::string, double> structureQuality;
+
+  render::LayoutInUse layout() const;
 };
 
 /// Limits of a flat scene that depend on the device.

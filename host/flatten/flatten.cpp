@@ -83,11 +83,11 @@ void appendPointLight(const scene::PointLight& light, const LightEntry& entry, R
 // `cone`: the index of a spot light's cone among all cones, which follow the last light.
 void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& entry, std::size_t cone, Rows& rows) {
   const bool isSpot = entry.kind == LightKind::spot;
-  const glm::dvec3 place = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
+  const glm::dvec3 point = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
                                                                 : glm::dvec3(light.position);
   rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), gpu::kNoSlot});
   rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(cone) : 0.0));
-  rows.push_back(row(place, isSpot ? 1 / (double{light.versineOuter} - double{light.versineInner}) : 0.0));
+  rows.push_back(row(point, isSpot ? 1 / (double{light.versineOuter} - double{light.versineInner}) : 0.0));
 }
 
 void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
@@ -101,8 +101,8 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   const bool sphere = entry.kind == LightKind::sphere;
   rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), slot});
   rows.push_back(row(emission, sphere ? 0.0 : triangleArea(triangleOf(scene, primitive))));
-  const scene::Sphere place = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
-  rows.push_back(row(glm::dvec3(place.centre), std::abs(double{place.radius})));
+  const scene::Sphere ball = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
+  rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
 }
 
 void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> slots,
@@ -229,6 +229,12 @@ std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, con
 }
 
 }  // namespace
+
+render::LayoutInUse FlatScene::layout() const {
+  if (uniformSlots > 0) return render::LayoutInUse::list;
+  if (structure == gpu::kStructureBvh) return render::LayoutInUse::bvh2;
+  return structure == gpu::kStructureWideBvh ? render::LayoutInUse::cwbvh : render::LayoutInUse::none;
+}
 
 FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& settings, const FlattenLimits& limits) {
   checkLimits(scene);

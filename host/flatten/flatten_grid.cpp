@@ -76,7 +76,7 @@ std::vector<std::uint32_t> appendGrid(const accel::SceneBounds& bounds, float de
   flat.constants.firstItemRow = rowCount(flat.rows);
   std::vector<std::uint32_t> order = orderOf(grid, bounds.finite.size());
   appendItems(grid, order, flat.rows);
-  for (std::uint32_t& place : order) place = bounds.finite[place];
+  for (std::uint32_t& primitive : order) primitive = bounds.finite[primitive];
   return order;
 }
 

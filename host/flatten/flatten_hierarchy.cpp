@@ -88,11 +88,6 @@ render::BvhLayout layoutFor(const render::RenderSettings& settings) {
                                                                    : settings.execution.automatic.bvhLayout;
 }
 
-const char* buildQualityName(render::BuildQuality quality) {
-  if (quality == render::BuildQuality::standard) return "default";
-  return quality == render::BuildQuality::fast ? "fast" : "high";
-}
-
 accel::Bvh buildHierarchy(std::span<const accel::Aabb> bounds, render::BvhSplit split, render::BuildQuality quality,
                           render::BvhLayout layout) {
   return buildBvh(bounds, optionsFor(split, quality, layout));

@@ -14,9 +14,6 @@ namespace candela::flatten {
 /// midpoint splits are binary.
 render::BvhLayout layoutFor(const render::RenderSettings& settings);
 
-/// Returns the name as on the command line: "fast", "default" or "high".
-const char* buildQualityName(render::BuildQuality quality);
-
 /// Returns the binary BVH over these boxes that the device traverses or, if `layout` is cwbvh, that is collapsed to an
 /// 8-wide one. `layout` must not be automatic.
 accel::Bvh buildHierarchy(std::span<const accel::Aabb> bounds, render::BvhSplit split, render::BuildQuality quality,

@@ -69,8 +69,8 @@ std::uint32_t flagsOf(const scene::TextureReference& reference) {
 void appendReference(const scene::Scene& scene, const scene::TextureReference& reference,
                      const std::vector<std::uint32_t>& imageRows, Rows& rows) {
   const scene::TextureImage& image = scene.images[reference.image];
-  const std::uint32_t place = imageRows[reference.image] << gpu::kTextureRowShift;
-  rows.push_back(row(glm::dvec3(reference.rowS), flagsOf(reference) | place));
+  const std::uint32_t firstRow = imageRows[reference.image] << gpu::kTextureRowShift;
+  rows.push_back(row(glm::dvec3(reference.rowS), flagsOf(reference) | firstRow));
   rows.push_back(row(glm::dvec3(reference.rowT), image.width | image.height << 16));
 }
 

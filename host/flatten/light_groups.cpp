@@ -8,6 +8,7 @@
 
 #include "host/flatten/light_table.h"
 #include "host/image/film.h"
+#include "host/scene/shape.h"
 
 namespace candela::flatten {
 namespace {
@@ -26,27 +27,33 @@ struct Extent {
   }
 };
 
-void addPrimitive(const scene::Scene& scene, const scene::Primitive& primitive, Extent& extent) {
-  using Kind = scene::PrimitiveKind;
-  if (primitive.kind == Kind::triangle) {
-    for (const glm::vec3& corner : triangleOf(scene, primitive).p) extent.add(dvec3(corner), 0);
-  } else if (primitive.kind == Kind::sphere) {
-    const scene::Sphere& sphere = scene.spheres[primitive.index];
-    extent.add(dvec3(sphere.centre), std::abs(double{sphere.radius}));
-  } else if (primitive.kind == Kind::box) {
-    extent.add(dvec3(scene.boxes[primitive.index].min), 0);
-    extent.add(dvec3(scene.boxes[primitive.index].max), 0);
-  } else if (primitive.kind == Kind::cone) {
-    const scene::Cone& cone = scene.cones[primitive.index];
-    extent.add(dvec3(cone.base), cone.baseRadius);
-    extent.add(dvec3(cone.apex), cone.apexRadius);
-  }
+void add(const scene::Sphere& sphere, Extent& extent) {
+  extent.add(dvec3(sphere.centre), std::abs(double{sphere.radius}));
 }
+
+void add(const scene::Triangle& triangle, Extent& extent) {
+  for (const glm::vec3& corner : triangle.p) extent.add(dvec3(corner), 0);
+}
+
+void add(const scene::Box& box, Extent& extent) {
+  extent.add(dvec3(box.min), 0);
+  extent.add(dvec3(box.max), 0);
+}
+
+void add(const scene::Cone& cone, Extent& extent) {
+  extent.add(dvec3(cone.base), cone.baseRadius);
+  extent.add(dvec3(cone.apex), cone.apexRadius);
+}
+
+// Planes are infinite.
+void add(const scene::Plane&, Extent&) {}
 
 // The square of half the diagonal of the box around everything that is bounded; 0 if nothing is.
 double squaredRadius(const scene::Scene& scene) {
   Extent extent;
-  for (const scene::Primitive& primitive : scene.primitives) addPrimitive(scene, primitive, extent);
+  for (const scene::Primitive& primitive : scene.primitives) {
+    std::visit([&](const auto& shape) { add(shape, extent); }, shapeOf(scene, primitive));
+  }
   const dvec3 diagonal = extent.high - extent.low;
   return diagonal.x >= 0 ? glm::dot(diagonal, diagonal) / 4 : 0;
 }

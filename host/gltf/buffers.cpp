@@ -35,8 +35,8 @@ Buffers::Buffers(const Value& root, std::optional<std::string_view> binaryChunk,
 BufferView Buffers::view(const Value& reference) {
   const std::size_t index = reference.indexInto("bufferViews", root_.sizeOf("bufferViews"));
   const Value view = root_.require("bufferViews")[index];
-  const std::optional<Value> older = view.extension("EXT_meshopt_compression");
-  const std::optional<Value> compression = older ? older : view.extension("KHR_meshopt_compression");
+  const std::optional<Value> older = extensionOf(view, "EXT_meshopt_compression");
+  const std::optional<Value> compression = older ? older : extensionOf(view, "KHR_meshopt_compression");
   if (!compression || !canDecodeMeshopt()) return plainView(view);
   if (!decodedViews_.contains(index)) {
     const Bytes source = range(*compression, compression->wholeOr("byteOffset", 0),

@@ -82,7 +82,7 @@ void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, G
 /// Factors above 1, which exporters wrote before KHR_materials_emissive_strength existed, are used as they are.
 void readEmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   result.emission = atLeastZero(material, "emissiveFactor", glm::vec3(0));
-  if (const std::optional<Value> strength = material.extension("KHR_materials_emissive_strength")) {
+  if (const std::optional<Value> strength = extensionOf(material, "KHR_materials_emissive_strength")) {
     result.emission *= static_cast<float>(atLeastZero(*strength, "emissiveStrength", 1));
   }
   result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
@@ -100,7 +100,7 @@ void readNormalMap(const Value& material, const TextureReader& readTexture, Gltf
 }
 
 void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> specular = material.extension("KHR_materials_specular");
+  const std::optional<Value> specular = extensionOf(material, "KHR_materials_specular");
   if (!specular) return;
   result.specular = fraction(*specular, "specularFactor", 1);
   result.specularColour = atLeastZero(*specular, "specularColorFactor", glm::vec3(1));
@@ -109,16 +109,16 @@ void readSpecular(const Value& material, const TextureReader& readTexture, GltfM
 }
 
 void readTransmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  if (const std::optional<Value> ior = material.extension("KHR_materials_ior")) {
+  if (const std::optional<Value> ior = extensionOf(material, "KHR_materials_ior")) {
     result.ior = ior->numberOr("ior", 1.5);
     if (result.ior != 0 && result.ior < 1)
       ior->require("ior").fail("the index of refraction is neither 0 nor at least 1");
   }
-  const std::optional<Value> transmission = material.extension("KHR_materials_transmission");
+  const std::optional<Value> transmission = extensionOf(material, "KHR_materials_transmission");
   if (!transmission) return;
   result.transmission = fraction(*transmission, "transmissionFactor", 0);
   result.transmissionTexture = textureIn(*transmission, "transmissionTexture", readTexture);
-  const std::optional<Value> volume = material.extension("KHR_materials_volume");
+  const std::optional<Value> volume = extensionOf(material, "KHR_materials_volume");
   if (!volume) return;
   result.thickness = atLeastZero(*volume, "thicknessFactor", 0);
   result.attenuationColour = fractions(*volume, "attenuationColor", glm::vec3(1));
@@ -128,12 +128,12 @@ void readTransmission(const Value& material, const TextureReader& readTexture, G
 }
 
 void readDispersion(const Value& material, GltfMaterial& result) {
-  const std::optional<Value> dispersion = material.extension("KHR_materials_dispersion");
+  const std::optional<Value> dispersion = extensionOf(material, "KHR_materials_dispersion");
   if (dispersion) result.dispersion = atLeastZero(*dispersion, "dispersion", 0);
 }
 
 void readClearcoat(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> coat = material.extension("KHR_materials_clearcoat");
+  const std::optional<Value> coat = extensionOf(material, "KHR_materials_clearcoat");
   if (!coat) return;
   result.clearcoat = fraction(*coat, "clearcoatFactor", 0);
   result.clearcoatRoughness = fraction(*coat, "clearcoatRoughnessFactor", 0);
@@ -144,7 +144,7 @@ void readClearcoat(const Value& material, const TextureReader& readTexture, Gltf
 }
 
 void readSheen(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> sheen = material.extension("KHR_materials_sheen");
+  const std::optional<Value> sheen = extensionOf(material, "KHR_materials_sheen");
   if (!sheen) return;
   result.sheenColour = fractions(*sheen, "sheenColorFactor", glm::vec3(0));
   result.sheenRoughness = fraction(*sheen, "sheenRoughnessFactor", 0);
@@ -153,7 +153,7 @@ void readSheen(const Value& material, const TextureReader& readTexture, GltfMate
 }
 
 void readIridescence(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> film = material.extension("KHR_materials_iridescence");
+  const std::optional<Value> film = extensionOf(material, "KHR_materials_iridescence");
   if (!film) return;
   result.iridescence = fraction(*film, "iridescenceFactor", 0);
   result.iridescenceIor = film->numberOr("iridescenceIor", 1.3);
@@ -165,7 +165,7 @@ void readIridescence(const Value& material, const TextureReader& readTexture, Gl
 }
 
 void readAnisotropy(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> anisotropy = material.extension("KHR_materials_anisotropy");
+  const std::optional<Value> anisotropy = extensionOf(material, "KHR_materials_anisotropy");
   if (!anisotropy) return;
   result.anisotropy = fraction(*anisotropy, "anisotropyStrength", 0);
   result.anisotropyRotation = anisotropy->numberOr("anisotropyRotation", 0);
@@ -173,7 +173,7 @@ void readAnisotropy(const Value& material, const TextureReader& readTexture, Glt
 }
 
 void readConductor(const Value& material, GltfMaterial& result) {
-  const std::optional<Value> extension = material.extension("CANDELA_materials_conductor");
+  const std::optional<Value> extension = extensionOf(material, "CANDELA_materials_conductor");
   if (!extension) return;
   scene::Conductor conductor{.ior = extension->vectorOr("ior", glm::vec3(0)),
                              .extinction = atLeastZero(*extension, "extinction", glm::vec3(0))};
@@ -209,8 +209,8 @@ void readSpecularGlossiness(const Value& extension, const TextureReader& readTex
 /// Returns the extension by which the surface is described; nothing: by pbrMetallicRoughness. An unlit material emits
 /// the base colour of pbrMetallicRoughness.
 std::optional<Value> specularGlossinessOf(const Value& material) {
-  if (material.extension("KHR_materials_unlit")) return std::nullopt;
-  return material.extension(kSpecularGlossiness);
+  if (extensionOf(material, "KHR_materials_unlit")) return std::nullopt;
+  return extensionOf(material, kSpecularGlossiness);
 }
 
 std::string withoutQuotes(const std::string& quoted) { return quoted.substr(1, quoted.size() - 2); }
@@ -242,7 +242,7 @@ GltfMaterial readMaterial(const Value& material, const TextureReader& readTextur
   result.alphaMode = alphaModeOf(material);
   result.alphaCutoff = atLeastZero(material, "alphaCutoff", 0.5);
   result.isDoubleSided = material.booleanOr("doubleSided", false);
-  result.isUnlit = material.extension("KHR_materials_unlit").has_value();
+  result.isUnlit = extensionOf(material, "KHR_materials_unlit").has_value();
   result.hasOcclusion = material.find("occlusionTexture").has_value();
   noteExtensions(material, result);
   return result;

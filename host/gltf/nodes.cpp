@@ -99,7 +99,7 @@ std::vector<std::size_t> NodeTree::placeSubtrees(const std::vector<std::size_t>&
   for (const std::size_t i : order) {
     const auto posed = pose.find(i);
     worlds_[i] = worlds_[i] * localTransform(nodes[i], posed == pose.end() ? NodePose{} : posed->second);
-    const std::optional<Value> visibility = nodes[i].extension("KHR_node_visibility");
+    const std::optional<Value> visibility = extensionOf(nodes[i], "KHR_node_visibility");
     if (visibility && !visibility->booleanOr("visible", true)) isHidden_[i] = true;
     for (const std::size_t child : children_[i]) {
       worlds_[child] = worlds_[i];

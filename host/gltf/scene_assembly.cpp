@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/core/memory_budget.h"
+#include "host/gltf/extensions.h"
 #include "host/gltf/lights.h"
 #include "host/gltf/material_mapping.h"
 #include "host/gltf/skin.h"
@@ -116,7 +117,7 @@ void SceneAssembly::addNode(std::size_t index) {
   if (nodes_.isHidden(index)) return;
   if (node.find("mesh")) addMesh(node, index);
   addObject(node, index, first);
-  if (node.extension("KHR_lights_punctual")) addLight(node, index);
+  if (extensionOf(node, "KHR_lights_punctual")) addLight(node, index);
 }
 
 Value SceneAssembly::meshOf(const Value& node) const {
@@ -229,7 +230,7 @@ void SceneAssembly::requireRoom(const Value& place, const scene::Mesh& mesh, std
 }
 
 std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
-  const std::optional<Value> extension = node.extension("EXT_mesh_gpu_instancing");
+  const std::optional<Value> extension = extensionOf(node, "EXT_mesh_gpu_instancing");
   if (!extension) return {glm::dmat4(1)};
   const Value attributes = extension->require("attributes");
   std::vector<glm::vec3> translations;
@@ -252,9 +253,9 @@ std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
 }
 
 void SceneAssembly::addLight(const Value& node, std::size_t index) {
-  const std::optional<Value> extension = root_.extension("KHR_lights_punctual");
+  const std::optional<Value> extension = extensionOf(root_, "KHR_lights_punctual");
   if (!extension) root_.fail("nodes have lights of KHR_lights_punctual, but the file does not");
-  const Value reference = node.extension("KHR_lights_punctual")->require("light");
+  const Value reference = extensionOf(node, "KHR_lights_punctual")->require("light");
   const Value light = extension->require("lights")[reference.indexInto("lights", extension->sizeOf("lights"))];
   if (light.find("range"))
     log_.warn("range", {}, light.pointer() + "/range is ignored: light is not cut off at a distance");

@@ -69,7 +69,7 @@ std::optional<scene::TextureReference> Textures::read(const Value& info) {
   const std::size_t textureIndex = info.require("index").indexInto("textures", root_.sizeOf("textures"));
   const Value texture = root_.require("textures")[textureIndex];
   scene::TextureReference reference;
-  const std::optional<Value> transform = info.extension("KHR_texture_transform");
+  const std::optional<Value> transform = extensionOf(info, "KHR_texture_transform");
   if (transform) readTransform(*transform, reference);
   const std::uint64_t set = texCoordSetOf(info, transform);
   if (set > kMaxSet) {
@@ -90,7 +90,7 @@ std::optional<scene::TextureReference> Textures::read(const Value& info) {
 }
 
 std::optional<std::uint32_t> Textures::imageOf(const Value& texture) {
-  const std::optional<Value> webp = texture.extension("EXT_texture_webp");
+  const std::optional<Value> webp = extensionOf(texture, "EXT_texture_webp");
   const std::optional<Value> source = (webp ? *webp : texture).find("source");
   if (!source) {
     log_.warn("source", {}, texture.pointer() + ": the texture is left out, since it names no PNG, JPEG or WebP image");

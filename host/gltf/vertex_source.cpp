@@ -13,7 +13,7 @@ void requireCount(const Value& reference, std::size_t count, std::size_t expecte
 
 VertexSource::VertexSource(const Value& primitive, Accessors& accessors, Buffers& buffers)
     : primitive_(primitive), attributes_(primitive.require("attributes")), accessors_(accessors) {
-  const std::optional<Value> draco = primitive.extension("KHR_draco_mesh_compression");
+  const std::optional<Value> draco = extensionOf(primitive, "KHR_draco_mesh_compression");
   if (draco && canDecodeDraco()) draco_ = decodeDraco(*draco, buffers.view(draco->require("bufferView")).bytes);
 }
 

@@ -9,11 +9,11 @@ namespace candela::image {
 
 void addIds(IdCounts& counts, const IdCount& samples) {
   if (samples.count == 0) return;
-  const auto place = std::ranges::lower_bound(counts, samples.id, {}, &IdCount::id);
-  if (place != counts.end() && place->id == samples.id) {
-    place->count += samples.count;
+  const auto found = std::ranges::lower_bound(counts, samples.id, {}, &IdCount::id);
+  if (found != counts.end() && found->id == samples.id) {
+    found->count += samples.count;
   } else {
-    counts.insert(place, samples);
+    counts.insert(found, samples);
   }
 }
 

@@ -26,9 +26,9 @@ std::vector<py::ssize_t> shapeOf(const image::Image& image) {
 
 // The layer with this name; `variance` and `samples`, which every film has, are not among them.
 std::optional<image::Layer> layerNamed(const std::string& name) {
-  const auto place = std::ranges::find(image::layerNames(), name);
-  if (place == image::layerNames().end()) return std::nullopt;
-  return static_cast<image::Layer>(place - image::layerNames().begin());
+  const auto found = std::ranges::find(image::layerNames(), name);
+  if (found == image::layerNames().end()) return std::nullopt;
+  return static_cast<image::Layer>(found - image::layerNames().begin());
 }
 
 py::array shareLayer(const py::object& film, const LayerValues& layer) {

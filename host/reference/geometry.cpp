@@ -77,9 +77,9 @@ double TriangleShape::distance(const Ray& ray) const {
   const dvec3 a = corner - ray.origin;
   const dvec3 b = corner1 - ray.origin;
   const dvec3 c = corner2 - ray.origin;
-  const auto [least, most] = std::minmax(
+  const auto [min, max] = std::minmax(
       {sideOfEdge(ray.direction, a, b), sideOfEdge(ray.direction, b, c), sideOfEdge(ray.direction, c, a)});
-  if (least < 0 && most > 0) return kNoHit;
+  if (min < 0 && max > 0) return kNoHit;
   const dvec3 normal = areaNormal();
   const double towards = dot(ray.direction, normal);
   if (towards == 0 || startsInPlane(ray, corner, normal)) return kNoHit;

@@ -93,8 +93,8 @@ CellNumbers Grid::cellAt(const dvec3& point) const {
   CellNumbers cell{0, 0, 0};
   for (int axis = 0; axis < 3; ++axis) {
     const auto last = static_cast<double>(sides[static_cast<std::size_t>(axis)] - 1);
-    const double place = cellSize[axis] > 0 ? std::floor((point[axis] - bounds.min[axis]) / cellSize[axis]) : 0;
-    cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::clamp(place, 0.0, last));
+    const double index = cellSize[axis] > 0 ? std::floor((point[axis] - bounds.min[axis]) / cellSize[axis]) : 0;
+    cell[static_cast<std::size_t>(axis)] = static_cast<std::int64_t>(std::clamp(index, 0.0, last));
   }
   return cell;
 }
@@ -123,8 +123,8 @@ Grid buildGrid(std::span<const Bounds> boxes, double density) {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-GridWalk::GridWalk(const Grid& grid, const Ray& ray) : grid_(grid) {
-  double leave = kNoHit;
+GridTraversal::GridTraversal(const Grid& grid, const Ray& ray) : grid_(grid) {
+  double exit = kNoHit;
   for (int axis = 0; axis < 3; ++axis) {
     const double o = ray.origin[axis], d = ray.direction[axis];
     const double low = grid.bounds.min[axis], high = grid.bounds.max[axis];
@@ -133,10 +133,10 @@ GridWalk::GridWalk(const Grid& grid, const Ray& ray) : grid_(grid) {
       continue;
     }
     entry_ = std::max(entry_, ((d > 0 ? low : high) - o) / d);
-    leave = std::min(leave, ((d > 0 ? high : low) - o) / d);
+    exit = std::min(exit, ((d > 0 ? high : low) - o) / d);
   }
   // The margin surrounds everything that can be hit: rounding only removes empty space from the bounds.
-  inside_ = entry_ <= leave;
+  inside_ = entry_ <= exit;
   if (!inside_) return;
   const dvec3 start = ray.at(entry_);
   cell_ = grid.cellAt(start);
@@ -151,14 +151,14 @@ GridWalk::GridWalk(const Grid& grid, const Ray& ray) : grid_(grid) {
   }
 }
 
-int GridWalk::nearestAxis() const {
+int GridTraversal::nearestAxis() const {
   if (next_.x <= next_.y && next_.x <= next_.z) return 0;
   return next_.y <= next_.z ? 1 : 2;
 }
 
-double GridWalk::exit() const { return entry_ + next_[nearestAxis()]; }
+double GridTraversal::exit() const { return entry_ + next_[nearestAxis()]; }
 
-void GridWalk::advance() {
+void GridTraversal::advance() {
   const int axis = nearestAxis();
   const auto number = static_cast<std::size_t>(axis);
   cell_[number] += step_[number];

@@ -41,10 +41,10 @@ struct Grid {
 Grid buildGrid(std::span<const Bounds> boxes, double density);
 
 /// The cells that a ray crosses, in order.
-class GridWalk {
+class GridTraversal {
  public:
   /// The grid must outlive this object.
-  GridWalk(const Grid& grid, const Ray& ray);
+  GridTraversal(const Grid& grid, const Ray& ray);
 
   bool isInside() const { return inside_; }
   const CellNumbers& cell() const { return cell_; }

@@ -80,7 +80,7 @@ class Builder {
     buildNode(middle, end, depth + 1);
   }
 
-  auto at(std::uint32_t place) { return result_.order.begin() + place; }
+  auto at(std::uint32_t index) { return result_.order.begin() + index; }
 
   // Returns the start of the right half.
   std::uint32_t halve(const Node& node, std::uint32_t begin, std::uint32_t end) {
@@ -108,7 +108,7 @@ class Builder {
 
   double meanTwiceCentre(int axis, std::uint32_t begin, std::uint32_t end) const {
     double sum = 0;
-    for (std::uint32_t place = begin; place < end; ++place) sum += twiceCentres_[result_.order[place]][axis];
+    for (std::uint32_t i = begin; i < end; ++i) sum += twiceCentres_[result_.order[i]][axis];
     return sum / (end - begin);
   }
 
@@ -117,8 +117,8 @@ class Builder {
   Node summarize(std::uint32_t begin, std::uint32_t end) const {
     Node node;
     Bounds centres;
-    for (std::uint32_t place = begin; place < end; ++place) {
-      const std::uint32_t item = result_.order[place];
+    for (std::uint32_t i = begin; i < end; ++i) {
+      const std::uint32_t item = result_.order[i];
       node.bounds.extend(boxes_[item]);
       centres.extend({twiceCentres_[item], twiceCentres_[item]});
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/image/film.h"
+#include "host/scene/shape.h"
 
 namespace candela::reference {
 namespace {
@@ -18,28 +19,19 @@ struct Ball {
   double radius;
 };
 
-std::vector<Ball> ballsOf(const scene::Scene& scene, const scene::Primitive& primitive) {
-  switch (primitive.kind) {
-    case scene::PrimitiveKind::sphere: {
-      const scene::Sphere& sphere = scene.spheres[primitive.index];
-      return {{dvec3(sphere.centre), std::abs(double{sphere.radius})}};
-    }
-    case scene::PrimitiveKind::box: {
-      const scene::Box& box = scene.boxes[primitive.index];
-      return {{dvec3(box.min), 0}, {dvec3(box.max), 0}};
-    }
-    case scene::PrimitiveKind::cone: {
-      const scene::Cone& cone = scene.cones[primitive.index];
-      return {{dvec3(cone.base), cone.baseRadius}, {dvec3(cone.apex), cone.apexRadius}};
-    }
-    case scene::PrimitiveKind::triangle: {
-      const scene::Triangle triangle = triangleOf(scene, primitive);
-      return {{dvec3(triangle.p[0]), 0}, {dvec3(triangle.p[1]), 0}, {dvec3(triangle.p[2]), 0}};
-    }
-    default:
-      return {};
-  }
+using Balls = std::vector<Ball>;
+
+Balls ballsOf(const scene::Sphere& s) { return {{dvec3(s.centre), std::abs(double{s.radius})}}; }
+
+Balls ballsOf(const scene::Triangle& t) { return {{dvec3(t.p[0]), 0}, {dvec3(t.p[1]), 0}, {dvec3(t.p[2]), 0}}; }
+
+Balls ballsOf(const scene::Box& box) { return {{dvec3(box.min), 0}, {dvec3(box.max), 0}}; }
+
+Balls ballsOf(const scene::Cone& cone) {
+  return {{dvec3(cone.base), cone.baseRadius}, {dvec3(cone.apex), cone.apexRadius}};
 }
+
+Balls ballsOf(const scene::Plane&) { return {}; }
 
 }  // namespace
 
@@ -47,7 +39,8 @@ double squaredRadius(const scene::Scene& scene) {
   bool isEmpty = true;
   dvec3 low(0), high(0);
   for (const scene::Primitive& primitive : scene.primitives) {
-    for (const Ball& ball : ballsOf(scene, primitive)) {
+    for (const Ball& ball :
+         std::visit([](const auto& shape) { return ballsOf(shape); }, scene::shapeOf(scene, primitive))) {
       low = isEmpty ? ball.centre - ball.radius : glm::min(low, ball.centre - ball.radius);
       high = isEmpty ? ball.centre + ball.radius : glm::max(high, ball.centre + ball.radius);
       isEmpty = false;

@@ -6,7 +6,9 @@
 
 #include "host/reference/anisotropy.h"
 #include "host/reference/facet_scattering.h"
+#include "host/reference/reflectance.h"
 #include "host/reference/shading_frame.h"
+#include "host/reference/vertex_numbers.h"
 #include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
 
@@ -25,40 +27,7 @@ bool isPerfect(const scene::Material& material) {
   return material.mirror || (material.dielectric && !material.diffuse && !material.glossy);
 }
 
-double largestChannel(const dvec3& c) { return std::max({c.x, c.y, c.z}); }
-
 }  // namespace
-
-struct PathTracer::VertexNumbers {
-  SampleNumbers& numbers;
-  std::uint32_t depth;
-  std::uint32_t block;
-  std::uint32_t environmentBlock;
-
-  VertexNumbers(SampleNumbers& pathNumbers, std::uint32_t vertex)
-      : numbers(pathNumbers),
-        depth(vertex),
-        block(kCameraDimensionCount + (vertex - 1) * kVertexDimensionCount),
-        environmentBlock(kEnvironmentDimensions + (vertex - 1) * kEnvironmentDimensionCount) {}
-
-  std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
-  dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
-  std::uint64_t lightWords() const {
-    return std::uint64_t{numbers.word(block + kDimensionLightU)} << 32 | numbers.word(block + kDimensionLightV);
-  }
-  dvec2 tap() const { return environmentPair(kDimensionTapX, kDimensionTapY); }
-  dvec2 texel() const { return environmentPair(kDimensionTexelX, kDimensionTexelY); }
-  dvec2 environmentPair(std::uint32_t x, std::uint32_t y) const {
-    return {numbers.unit(environmentBlock + x), numbers.unit(environmentBlock + y)};
-  }
-  double lobe() const { return numbers.unit(block + kDimensionLobe); }
-  dvec2 bsdf() const { return {numbers.unit(block + kDimensionBsdfU), numbers.unit(block + kDimensionBsdfV)}; }
-  double facet() const { return numbers.unit(block + kDimensionFacet); }
-  double layer() const { return numbers.unit(block + kDimensionLayer); }
-  double coatFacet() const { return numbers.unit(block + kDimensionCoatFacet); }
-  double channel() const { return numbers.unit(block + kDimensionChannel); }
-  double roulette() const { return numbers.unit(block + kDimensionRoulette); }
-};
 
 struct PathTracer::Vertex : ShadingFrame {
   const Surface& surface;
@@ -97,26 +66,26 @@ PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& 
   if (scene.environment) environment_.emplace(*scene.environment);
 }
 
-render::PathTrace PathTracer::trace(const render::PixelSample& place, std::uint32_t replica) const {
+render::PathTrace PathTracer::trace(const render::PixelSample& sample, std::uint32_t replica) const {
   render::PathTrace trace;
   PathNotes notes(trace);
   Counters uncounted;
-  SampleNumbers numbers = numbersOf(place);
+  SampleNumbers numbers = numbersOf(sample);
   for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i)
     trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
-  Rounding rounding = roundingOf(place, replica);
-  notes.finish(walk(roundedCameraRay(place, numbers, rounding), numbers, uncounted, notes, rounding));
+  Rounding rounding = roundingOf(sample, replica);
+  notes.finish(tracePath(roundedCameraRay(sample, numbers, rounding), numbers, uncounted, notes, rounding));
   return trace;
 }
 
 dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                            Rounding& rounding) const {
   PathNotes notes(outputs.record, outputs.layers);
-  return walk(cameraRay, numbers, counters, notes, rounding);
+  return tracePath(cameraRay, numbers, counters, notes, rounding);
 }
 
-dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
-                       Rounding& rounding) const {
+dvec3 PathTracer::tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
+                            Rounding& rounding) const {
   Ray ray = cameraRay;
   dvec3 radiance(0);
   dvec3 beta(1);
@@ -165,8 +134,7 @@ dvec3 PathTracer::walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& c
     if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
 
     if (depth > settings_.image.rouletteStart) {
-      const double survival = rounding.relative(std::min(1.0, std::sqrt(largestChannel(beta))),
-                                                kRoundingBounds.survival);
+      const double survival = rounding.relative(std::min(1.0, std::sqrt(largestOf(beta))), kRoundingBounds.survival);
       const bool survives = u.roulette() < survival;
       rounding.decide(survives);
       notes.roulette(survival, survives);
@@ -225,7 +193,7 @@ dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNu
 dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) const {
   if (!settings_.image.indirectLimit || scatterings < 2) return contribution;
   const double limit = *settings_.image.indirectLimit;
-  return contribution * (limit / std::max(largestChannel(contribution), limit));
+  return contribution * (limit / std::max(largestOf(contribution), limit));
 }
 
 std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {

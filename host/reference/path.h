@@ -14,6 +14,7 @@
 
 namespace candela::reference {
 
+struct VertexNumbers;
 class Volumes;
 
 class PathTracer final : public PixelTracer {
@@ -23,11 +24,9 @@ class PathTracer final : public PixelTracer {
 
   /// Computes the same as sample() for the same sample and replica (0: exactly), and returns all intermediate
   /// results.
-  render::PathTrace trace(const render::PixelSample& place, std::uint32_t replica = 0) const;
+  render::PathTrace trace(const render::PixelSample& sample, std::uint32_t replica = 0) const;
 
  private:
-  /// The numbers of one path vertex, named as in shaders/shared/dimensions.h.
-  struct VertexNumbers;
   /// A surface with its material's frame.
   struct Vertex;
   /// The continuation of a path; `pdf` is none for a delta lobe. A weight of 0 ends the path.
@@ -40,8 +39,8 @@ class PathTracer final : public PixelTracer {
 
   dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
                  Rounding& rounding) const override;
-  dvec3 walk(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
-             Rounding& rounding) const;
+  dvec3 tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
+                  Rounding& rounding) const;
   /// Turns the shading normal of a surface whose material, or whose coat, has a normal map. If it has a coat, one layer
   /// is chosen, and `material` becomes this layer.
   void mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,

@@ -62,17 +62,17 @@ dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sample
   return sample({x, y, sampleIndex}, counters, outputs, off, nullptr);
 }
 
-dvec3 PixelTracer::sample(const render::PixelSample& place, Counters& counters, SampleOutputs outputs,
+dvec3 PixelTracer::sample(const render::PixelSample& sample, Counters& counters, SampleOutputs outputs,
                           Rounding& rounding, NumberCache* cache) const {
-  SampleNumbers numbers = numbersOf(place, cache);
-  const Ray ray = roundedCameraRay(place, numbers, rounding);
+  SampleNumbers numbers = numbersOf(sample, cache);
+  const Ray ray = roundedCameraRay(sample, numbers, rounding);
   ++counters.samples;
   ++counters.cameraRays;
   return rounding.relative(radiance(ray, numbers, counters, outputs, rounding), kRoundingBounds.radiance);
 }
 
-Rounding PixelTracer::roundingOf(const render::PixelSample& place, std::uint32_t replica) const {
-  const Words words = pcg4d({place.x + 65536u * place.y, place.index, image_.seed, replica});
+Rounding PixelTracer::roundingOf(const render::PixelSample& sample, std::uint32_t replica) const {
+  const Words words = pcg4d({sample.x + 65536u * sample.y, sample.index, image_.seed, replica});
   return Rounding(std::uint64_t{words[0]} << 32 | words[1], replica);
 }
 

@@ -47,10 +47,10 @@ class PixelTracer {
                SampleOutputs outputs) const;
   /// Returns the radiance of a sample as a replica sees it: `rounding` perturbs it and takes its decisions. `cache`,
   /// unless null, has the random numbers of this sample.
-  dvec3 sample(const render::PixelSample& place, Counters& counters, SampleOutputs outputs, Rounding& rounding,
+  dvec3 sample(const render::PixelSample& sample, Counters& counters, SampleOutputs outputs, Rounding& rounding,
                NumberCache* cache) const;
   /// The perturbations of replica `replica` of a sample; 0: none, but decisions are recorded.
-  Rounding roundingOf(const render::PixelSample& place, std::uint32_t replica) const;
+  Rounding roundingOf(const render::PixelSample& sample, std::uint32_t replica) const;
   const Tracing& tracing() const { return tracing_; }
 
  protected:
@@ -65,11 +65,11 @@ class PixelTracer {
   void jitterTextures(Surface& surface, SampleNumbers& numbers, std::uint32_t vertex) const;
   /// Ray::opacityKey of the ray that ends at a path's vertex, or of the shadow ray from there. `vertex` counts from 1.
   std::uint32_t opacityKeyOf(const SampleNumbers& numbers, std::uint32_t vertex, bool isShadowRay) const;
-  SampleNumbers numbersOf(const render::PixelSample& place, NumberCache* cache = nullptr) const {
-    return SampleNumbers(sampler_, place.x, place.y, place.index, cache);
+  SampleNumbers numbersOf(const render::PixelSample& sample, NumberCache* cache = nullptr) const {
+    return SampleNumbers(sampler_, sample.x, sample.y, sample.index, cache);
   }
-  Ray roundedCameraRay(const render::PixelSample& place, SampleNumbers& numbers, Rounding& rounding) const {
-    return rounding.cameraRay(camera_.generate(place.x, place.y, numbers), originVaries_);
+  Ray roundedCameraRay(const render::PixelSample& sample, SampleNumbers& numbers, Rounding& rounding) const {
+    return rounding.cameraRay(camera_.generate(sample.x, sample.y, numbers), originVaries_);
   }
 
  private:

@@ -36,7 +36,8 @@ void describeStructure(const Tracing& tracing, const render::RenderSettings& set
                        render::RenderStatistics& statistics) {
   if (tracing.hasHierarchy()) {
     statistics.structure = render::AccelKind::bvh;
-    statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::midpoint ? "midpoint" : "median";
+    statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::midpoint ? render::SplitInUse::midpoint
+                                                                                    : render::SplitInUse::median;
     statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
   }
   if (tracing.hasGrid()) {
@@ -73,7 +74,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
     : settings_(settings) {
   render::requireIntegrator(scene, settings_);
   prepared_.device = render::kReferenceDevice;
-  prepared_.kernel = "reference";
+  prepared_.kernel = render::KernelInUse::reference;
   prepared_.kernels = "reference";
   prepared_.platform = toolchainText();
   prepared_.threads = threadCount(settings_);

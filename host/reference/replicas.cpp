@@ -58,16 +58,16 @@ void add(const render::Replica& replica, const dvec3& exact, render::Deviation& 
 
 }  // namespace
 
-dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t count,
+dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& sample, std::uint32_t count,
                     Counters& counters, SampleOutputs outputs, render::Deviation& deviation,
                     render::Replica* replicas) {
   Counters uncounted;
   NumberCache cache;
-  Rounding exact = tracer.roundingOf(place, 0);
-  const dvec3 radiance = tracer.sample(place, counters, outputs, exact, &cache);
+  Rounding exact = tracer.roundingOf(sample, 0);
+  const dvec3 radiance = tracer.sample(sample, counters, outputs, exact, &cache);
   for (std::uint32_t i = 0; i < count; ++i) {
-    Rounding rounding = tracer.roundingOf(place, i + 1);
-    const dvec3 value = tracer.sample(place, uncounted, nullptr, rounding, &cache);
+    Rounding rounding = tracer.roundingOf(sample, i + 1);
+    const dvec3 value = tracer.sample(sample, uncounted, nullptr, rounding, &cache);
     const render::Replica replica = compare(exact, rounding, value);
     if (i == 0) add(replica, radiance, deviation);
     if (replicas) replicas[i] = replica;
@@ -75,13 +75,13 @@ dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& place,
   return radiance;
 }
 
-render::Replica traceReplica(const PixelTracer& tracer, const render::PixelSample& place, std::uint32_t index) {
+render::Replica traceReplica(const PixelTracer& tracer, const render::PixelSample& sample, std::uint32_t index) {
   Counters uncounted;
   NumberCache cache;
-  Rounding exact = tracer.roundingOf(place, 0);
-  tracer.sample(place, uncounted, nullptr, exact, &cache);
-  Rounding rounding = tracer.roundingOf(place, index + 1);
-  return compare(exact, rounding, tracer.sample(place, uncounted, nullptr, rounding, &cache));
+  Rounding exact = tracer.roundingOf(sample, 0);
+  tracer.sample(sample, uncounted, nullptr, exact, &cache);
+  Rounding rounding = tracer.roundingOf(sample, index + 1);
+  return compare(exact, rounding, tracer.sample(sample, uncounted, nullptr, rounding, &cache));
 }
 
 }  // namespace candela::reference

@@ -140,10 +140,10 @@ std::uint32_t sobolPoint(std::uint32_t index, std::uint32_t slot) {
 
 std::uint32_t permute(std::uint32_t i, std::uint32_t length, std::uint32_t key) {
   const std::uint32_t mask = std::bit_ceil(length) - 1;
-  int turns = 0;
+  int rounds = 0;
   do {
     i = permuteRound(i, mask, key);
-  } while (i >= length && ++turns < 32);
+  } while (i >= length && ++rounds < 32);
   return (i % length + key % length) % length;
 }
 

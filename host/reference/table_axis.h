@@ -6,7 +6,7 @@
 
 namespace candela::reference {
 
-/// A place between the nodes `node` and `node` + 1, of which the second has the weight `part`.
+/// The position between the nodes `node` and `node` + 1, of which the second has the weight `part`.
 struct TableAxis {
   std::size_t node = 0;
   double part = 0;

@@ -79,11 +79,11 @@ bool TileJob::renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters) 
   for (std::uint32_t i = output_.firstSample + output_.film.at(x, y).sampleCount; i < sampleEnd_; ++i) {
     if (isStopped()) return false;
     render::PathRecord* record = output_.paths.empty() || i > 0 ? nullptr : &output_.paths[pixel];
-    const render::PixelSample place{output_.window.x + x, output_.window.y + y, i};
+    const render::PixelSample sample{output_.window.x + x, output_.window.y + y, i};
     const std::uint64_t verticesBefore = counters.vertices;
     image::LayerSample layers;
     const bool wantsLayers = hasSums_ || output_.matteIds != nullptr;
-    const dvec3 radiance = traceSample(place, pixel, counters, {record, wantsLayers ? &layers : nullptr});
+    const dvec3 radiance = traceSample(sample, pixel, counters, {record, wantsLayers ? &layers : nullptr});
     output_.film.addSample(x, y, radiance, i);
     if (hasSums_) output_.film.addLayers(x, y, layers, radiance);
     if (output_.matteIds != nullptr) addIds(x, y, layers);
@@ -100,12 +100,12 @@ void TileJob::addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample&
   }
 }
 
-dvec3 TileJob::traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters,
+dvec3 TileJob::traceSample(const render::PixelSample& sample, std::size_t pixel, Counters& counters,
                            SampleOutputs outputs) {
   const std::uint32_t count = output_.replicaCount;
-  if (count == 0) return tracer_.sample(place.x, place.y, place.index, counters, outputs);
-  render::Replica* const replicas = place.index > 0 ? nullptr : &output_.replicas.replicas[count * pixel];
-  return traceReplicas(tracer_, place, count, counters, outputs, output_.replicas.deviations[pixel], replicas);
+  if (count == 0) return tracer_.sample(sample.x, sample.y, sample.index, counters, outputs);
+  render::Replica* const replicas = sample.index > 0 ? nullptr : &output_.replicas.replicas[count * pixel];
+  return traceReplicas(tracer_, sample, count, counters, outputs, output_.replicas.deviations[pixel], replicas);
 }
 
 // Tiles that were finished before do not count as progress.

@@ -43,7 +43,7 @@ class TileJob {
   /// Both return false if the job was stopped before their last sample.
   bool renderTile(std::uint32_t left, std::uint32_t top, Counters& counters);
   bool renderPixel(std::uint32_t x, std::uint32_t y, Counters& counters);
-  dvec3 traceSample(const render::PixelSample& place, std::size_t pixel, Counters& counters, SampleOutputs outputs);
+  dvec3 traceSample(const render::PixelSample& sample, std::size_t pixel, Counters& counters, SampleOutputs outputs);
   void addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample& sample);
   void reportProgress();
 

@@ -110,7 +110,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
                               bounded.size() > kBruteForceLimit;
   if (accel == render::AccelKind::bvh && wantsHierarchy) {
     hierarchy_ = buildHierarchy(boxes, settings.structure.bvhSplit);
-    for (const std::uint32_t place : hierarchy_.order) add(bounded[place]);
+    for (const std::uint32_t item : hierarchy_.order) add(bounded[item]);
   } else {
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
@@ -188,13 +188,13 @@ bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& coun
 // from the cell.
 template <class Visit>
 bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
-  for (GridWalk walk(grid_, ray); walk.isInside(); walk.advance()) {
+  for (GridTraversal traversal(grid_, ray); traversal.isInside(); traversal.advance()) {
     ++counters.traversalSteps;
-    for (const std::uint32_t item : grid_.itemsOf(walk.cell())) {
+    for (const std::uint32_t item : grid_.itemsOf(traversal.cell())) {
       ++counters.traversalSteps;
       if (visit(items_[item])) return true;
     }
-    if (limit < walk.exit()) return false;
+    if (limit < traversal.exit()) return false;
   }
   return false;
 }

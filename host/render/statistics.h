@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/render/settings.h"
+#include "host/render/choices_in_use.h"
 
 namespace candela::render {
 
@@ -16,19 +16,6 @@ struct TreeRays {
   std::uint64_t reflected = 0;   ///< by mirrors and by glass
   std::uint64_t refracted = 0;
 };
-
-/// Returns the name of an acceleration structure as on the command line: "none", "grid" or "bvh".
-constexpr const char* structureName(AccelKind accel) {
-  switch (accel) {
-    case AccelKind::none:
-      return "none";
-    case AccelKind::grid:
-      return "grid";
-    case AccelKind::bvh:
-      break;
-  }
-  return "bvh";
-}
 
 /// The name of the reference tracer where devices are named: in options, reports and films.
 inline constexpr const char* kReferenceDevice = "cpu";
@@ -42,17 +29,17 @@ struct RenderStatistics {
   std::string platform;
   std::string kernels;                    ///< hash of the code of all kernels, or "reference"
   AccelKind structure = AccelKind::none;  ///< in use; a BVH of one leaf is a BVH, too
-  std::string bvhSplit;    ///< "sah", "midpoint", or "median" (the reference's own rule); empty without a BVH
-  std::string bvhQuality;  ///< "fast", "default" or "high"; empty unless a device's BVH is built by SAH
-  std::string layout;      ///< of a BVH's nodes: "bvh2" or "cwbvh"; "list": none, the scene is small; else empty
-  std::string kernel;      ///< "megakernel", "wavefront", "whitted", "views" or "reference"
-  Extent workgroup{};      ///< in use; 0x0 for the reference
-  Extent tile{};           ///< maximum region of one dispatch
+  SplitInUse bvhSplit = SplitInUse::none;
+  std::optional<BuildQuality> bvhQuality;  ///< absent unless a device's BVH is built by SAH
+  LayoutInUse layout = LayoutInUse::none;
+  KernelInUse kernel = KernelInUse::reference;
+  Extent workgroup{};  ///< in use; 0x0 for the reference
+  Extent tile{};       ///< maximum region of one dispatch
   std::uint32_t maxSegmentsPerDispatch = 0;
-  std::uint32_t threads = 0;          ///< of the reference
-  std::string sceneLoads;             ///< "texel" or "storage"
-  std::string automaticOrigin;        ///< AutomaticChoices::origin; empty for the reference
-  std::vector<std::string> warnings;  ///< one sentence for each preference that the session could not follow
+  std::uint32_t threads = 0;             ///< of the reference
+  std::optional<SceneLoads> sceneLoads;  ///< not automatic; absent for the reference
+  std::string automaticOrigin;           ///< AutomaticChoices::origin; empty for the reference
+  std::vector<std::string> warnings;     ///< one sentence for each preference that the session could not follow
 
   std::uint64_t samples = 0;  ///< pixel samples finished
   std::uint64_t cameraRays = 0;

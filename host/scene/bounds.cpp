@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host/scene/shape.h"
+
 namespace candela::scene {
 namespace {
 
@@ -24,8 +26,21 @@ class Extent3 {
   glm::dvec3 max_{-std::numeric_limits<double>::infinity()};
 };
 
+void add(Extent3& extent, const Sphere& sphere) {
+  extent.add(sphere.centre, glm::dvec3(std::abs(static_cast<double>(sphere.radius))));
+}
+
+void add(Extent3& extent, const Triangle& triangle) {
+  for (const glm::vec3& vertex : triangle.p) extent.add(vertex);
+}
+
+void add(Extent3& extent, const Box& box) {
+  extent.add(box.min);
+  extent.add(box.max);
+}
+
 /// A circle around a unit axis reaches r sqrt(1 - axis^2) along each coordinate.
-void addCone(Extent3& extent, const Cone& cone) {
+void add(Extent3& extent, const Cone& cone) {
   const glm::dvec3 base = cone.base;
   const glm::dvec3 apex = cone.apex;
   const glm::dvec3 axis = glm::normalize(apex - base);
@@ -34,21 +49,16 @@ void addCone(Extent3& extent, const Cone& cone) {
   extent.add(apex, static_cast<double>(cone.apexRadius) * reach);
 }
 
+/// Planes are infinite.
+void add(Extent3&, const Plane&) {}
+
 }  // namespace
 
 std::optional<Bounds> boundsOf(const Scene& scene) {
   Extent3 extent;
-  for (const Sphere& s : scene.spheres) extent.add(s.centre, glm::dvec3(std::abs(static_cast<double>(s.radius))));
   for (const Primitive& primitive : scene.primitives) {
-    if (primitive.kind != PrimitiveKind::triangle) continue;
-    const Triangle triangle = triangleOf(scene, primitive);
-    for (const glm::vec3& vertex : triangle.p) extent.add(vertex);
+    std::visit([&](const auto& shape) { add(extent, shape); }, shapeOf(scene, primitive));
   }
-  for (const Box& box : scene.boxes) {
-    extent.add(box.min);
-    extent.add(box.max);
-  }
-  for (const Cone& cone : scene.cones) addCone(extent, cone);
   return extent.bounds();
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 void sortByPlace(std::vector<Diagnostic>& diagnostics) {
   // Line 0 denotes the whole file and comes last.
-  const auto place = [](const Diagnostic& d) { return std::tuple(d.line - 1u, d.column); };
-  std::ranges::stable_sort(diagnostics, {}, place);
+  const auto position = [](const Diagnostic& d) { return std::tuple(d.line - 1u, d.column); };
+  std::ranges::stable_sort(diagnostics, {}, position);
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ void EarClipper::revisitAll() {
 /// rest is reversed.
 void EarClipper::cutAnyway() {
   std::uint32_t i = someVertex_;
-  for (std::size_t turn = 0; turn < remaining_ && isReflex(i); ++turn) i = next_[i];
+  for (std::size_t step = 0; step < remaining_ && isReflex(i); ++step) i = next_[i];
   cut(i);
 }
 

@@ -126,7 +126,7 @@ std::uint32_t cornerOf(const Face& face, std::uint32_t vertex) {
 }
 
 /// A corner of a face, by index.
-struct Place {
+struct FaceCorner {
   std::uint32_t face, corner;
 };
 
@@ -142,18 +142,18 @@ bool join(Face& face, std::uint32_t corner, std::uint32_t group, bool preserves)
 
 /// Returns the corners that share one tangent with the corner at `start`: those of faces that continue each other
 /// across edges at its vertex.
-std::vector<Place> gather(std::vector<Face>& faces, Place start, std::uint32_t group) {
+std::vector<FaceCorner> gather(std::vector<Face>& faces, FaceCorner start, std::uint32_t group) {
   const bool preserves = faces[start.face].preserves;
   const std::uint32_t vertex = faces[start.face].vertex[start.corner];
-  std::vector<Place> members;
-  std::vector<Place> pending{start};
+  std::vector<FaceCorner> members;
+  std::vector<FaceCorner> pending{start};
   while (!pending.empty()) {
-    const Place place = pending.back();
+    const FaceCorner member = pending.back();
     pending.pop_back();
-    if (!join(faces[place.face], place.corner, group, preserves)) continue;
-    members.push_back(place);
-    for (const std::uint32_t side : {(place.corner + 2) % 3, place.corner}) {
-      const std::uint32_t next = faces[place.face].next[side];
+    if (!join(faces[member.face], member.corner, group, preserves)) continue;
+    members.push_back(member);
+    for (const std::uint32_t side : {(member.corner + 2) % 3, member.corner}) {
+      const std::uint32_t next = faces[member.face].next[side];
       if (next != kNone) pending.push_back({next, cornerOf(faces[next], vertex)});
     }
   }
@@ -162,16 +162,16 @@ std::vector<Place> gather(std::vector<Face>& faces, Place start, std::uint32_t g
 
 /// The mean of the members' tangents, weighted by the angle of each triangle at the vertex.
 dvec3 meanTangent(const std::vector<Face>& faces, const std::vector<Corner>& corners,
-                  const std::vector<Place>& members) {
+                  const std::vector<FaceCorner>& members) {
   dvec3 sum(0);
-  for (const Place& place : members) {
-    if (faces[place.face].joinsAny) continue;
-    const Corner* const c = &corners[std::size_t{3} * place.face];
-    const dvec3 normal(c[place.corner].normal);
-    const dvec3 p(c[place.corner].position);
-    const dvec3 before = flattened(dvec3(c[(place.corner + 2) % 3].position) - p, normal);
-    const dvec3 after = flattened(dvec3(c[(place.corner + 1) % 3].position) - p, normal);
-    sum += std::acos(std::clamp(dot(before, after), -1.0, 1.0)) * flattened(faces[place.face].tangent, normal);
+  for (const FaceCorner& member : members) {
+    if (faces[member.face].joinsAny) continue;
+    const Corner* const c = &corners[std::size_t{3} * member.face];
+    const dvec3 normal(c[member.corner].normal);
+    const dvec3 p(c[member.corner].position);
+    const dvec3 before = flattened(dvec3(c[(member.corner + 2) % 3].position) - p, normal);
+    const dvec3 after = flattened(dvec3(c[(member.corner + 1) % 3].position) - p, normal);
+    sum += std::acos(std::clamp(dot(before, after), -1.0, 1.0)) * flattened(faces[member.face].tangent, normal);
   }
   return unitOrZero(sum);
 }
@@ -189,9 +189,9 @@ std::vector<glm::vec4> mikkTangents(const Mesh& mesh, const TextureReference& re
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (faces[f].isDegenerate || faces[f].joinsAny || faces[f].group[k] != kNone) continue;
-      const std::vector<Place> members = gather(faces, {f, k}, group++);
+      const std::vector<FaceCorner> members = gather(faces, {f, k}, group++);
       const glm::vec4 mean(meanTangent(faces, corners, members), 0);
-      for (const Place& place : members) tangents[std::size_t{3} * place.face + place.corner] = mean;
+      for (const FaceCorner& member : members) tangents[std::size_t{3} * member.face + member.corner] = mean;
     }
   }
   for (std::size_t i = 0; i < tangents.size(); ++i) tangents[i].w = faces[i / 3].preserves ? 1.0f : -1.0f;

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <numeric>
 
+#include "host/core/lower_case.h"
+
 namespace candela::scene {
 namespace {
 
 constexpr std::size_t kMaxWordLength = 24;  ///< longer words are not regarded as misspelt keywords
 constexpr std::size_t kMinPrefix = 3;       ///< length from which a word may be the beginning of another
-
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c | 0x20) : c; }
 
 // Returns the keyword that `word` is the beginning of; nothing if there are several.
 std::optional<std::string_view> completed(std::string_view word, const std::vector<Spelling>& spellings) {
@@ -32,9 +32,10 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
   for (std::size_t i = 1; i <= a.size(); ++i) {
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const bool equal = lower(a[i - 1]) == lower(b[j - 1]);
+      const bool equal = lowerLetter(a[i - 1]) == lowerLetter(b[j - 1]);
       row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (equal ? 0 : 1)});
-      const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+      const bool swapped = i > 1 && j > 1 && lowerLetter(a[i - 1]) == lowerLetter(b[j - 2]) &&
+                           lowerLetter(a[i - 2]) == lowerLetter(b[j - 1]);
       if (swapped) row[j] = std::min(row[j], beforeLast[j - 2] + 1);
     }
     std::swap(beforeLast, last);

@@ -12,10 +12,10 @@ namespace {
 constexpr double kMadToSigma = 1.4826;
 constexpr double kErrorOfMedian = 1.2533;
 
-double medianSeconds(const bench::SweepRow& row) { return statistics::median(row.measurement.traceSeconds); }
+double medianSeconds(const bench::RenderRow& row) { return statistics::median(row.measurement.traceSeconds); }
 
 // Returns the standard error of the median, relative to the median.
-double relativeError(const bench::SweepRow& row) {
+double relativeError(const bench::RenderRow& row) {
   const double middle = medianSeconds(row);
   std::vector<double> deviations;
   for (const double seconds : row.measurement.traceSeconds) deviations.push_back(std::abs(seconds - middle));
@@ -98,8 +98,9 @@ void confirm(std::uint32_t repeats, const Measure& measure, SearchResult& result
 // Scenes of few primitives are traced as a list, for which all layouts are the same program. Only noise would
 // distinguish them.
 bool hasBvh(const Row& row) {
-  return std::ranges::any_of(
-      row.scenes, [](const bench::SweepRow& scene) { return scene.measurement.statistics.layout != "list"; });
+  return std::ranges::any_of(row.scenes, [](const bench::RenderRow& scene) {
+    return scene.measurement.statistics.layout != render::LayoutInUse::list;
+  });
 }
 
 void dropLayouts(Round& round) {
@@ -111,7 +112,7 @@ void dropLayouts(Round& round) {
 }  // namespace
 
 bool Row::agrees() const {
-  return std::ranges::all_of(scenes, [](const bench::SweepRow& row) { return row.measurement.agrees; });
+  return std::ranges::all_of(scenes, [](const bench::RenderRow& row) { return row.measurement.agrees; });
 }
 
 double gain(const Row& base, const Row& row) {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host/bench/sweep_report.h"
+#include "host/bench/render_rows.h"
 #include "host/tune/dimensions.h"
 
 namespace candela::tune {
@@ -14,7 +14,7 @@ namespace candela::tune {
 /// The measurements of one candidate on each scene. The order of scenes is always the same.
 struct Row {
   Candidate candidate;
-  std::vector<bench::SweepRow> scenes;
+  std::vector<bench::RenderRow> scenes;
 
   /// Returns whether the candidate gave the correct image of every scene.
   bool agrees() const;

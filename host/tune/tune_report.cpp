@@ -12,11 +12,11 @@
 namespace candela::tune {
 namespace {
 
-using bench::SweepRow;
+using bench::RenderRow;
 using bench::TextTable;
 using nlohmann::ordered_json;
 
-const std::vector<SweepRow>& firstScenes(const TuneReport& report) {
+const std::vector<RenderRow>& firstScenes(const TuneReport& report) {
   return report.result.rounds.front().rows.front().scenes;
 }
 
@@ -24,12 +24,12 @@ const render::RenderStatistics& statisticsOf(const TuneReport& report) {
   return firstScenes(report).front().measurement.statistics;
 }
 
-std::string sceneTitle(const SweepRow& row) {
+std::string sceneTitle(const RenderRow& row) {
   const render::RenderSettings& settings = row.measurement.variant.settings;
   return fmt::format("{}, {} x {} spp, ms", row.scene, extentText(settings.image.size), settings.image.sampleCount);
 }
 
-std::string milliseconds(const SweepRow& row) {
+std::string milliseconds(const RenderRow& row) {
   return row.measurement.agrees ? fmt::format("{:.1f}", 1e3 * statistics::median(row.measurement.traceSeconds))
                                 : "differs";
 }
@@ -37,13 +37,13 @@ std::string milliseconds(const SweepRow& row) {
 TextTable tableOf(const TuneReport& report) {
   TextTable table;
   table.header = {"candidate", "round"};
-  for (const SweepRow& scene : firstScenes(report)) table.header.push_back(sceneTitle(scene));
+  for (const RenderRow& scene : firstScenes(report)) table.header.push_back(sceneTitle(scene));
   table.header.insert(table.header.end(), {"speedup", "noise"});
   for (const Round& round : report.result.rounds) {
     const Row& base = round.rows.front();
     for (const Row& row : round.rows) {
       std::vector<std::string> cells{nameOf(row.candidate), round.purpose};
-      for (const SweepRow& scene : row.scenes) cells.push_back(milliseconds(scene));
+      for (const RenderRow& scene : row.scenes) cells.push_back(milliseconds(scene));
       const double times = gain(base, row);
       cells.push_back(times > 0 ? fmt::format("{:.3f}", times) : "");
       cells.push_back(times > 0 && &row != &base ? fmt::format("{:.1f} %", 100 * noise(base, row)) : "");
@@ -93,8 +93,8 @@ ordered_json rowsJson(const SearchResult& result) {
         json["speedup"] = times;
         json["noise"] = noise(round.rows.front(), row);
       }
-      for (const SweepRow& scene : row.scenes) {
-        json["scenes"].push_back(bench::rowJson(scene.scene, scene.sceneHash, scene.measurement));
+      for (const RenderRow& scene : row.scenes) {
+        json["scenes"].push_back(bench::toJson(scene));
       }
       rows.push_back(std::move(json));
     }

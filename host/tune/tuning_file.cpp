@@ -16,6 +16,7 @@
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
 #include "host/core/json_depth.h"
+#include "host/core/json_value.h"
 #include "host/core/report_head.h"
 
 namespace candela::tune {
@@ -32,11 +33,6 @@ std::string dump(const ordered_json& object) {
   return object.dump(2, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-std::string textAt(const json& object, const std::string& key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
 // The date is printed, so that nothing but a date is accepted.
 bool isDate(const std::string& text) {
   constexpr std::string_view kPattern = "0000-00-00T00:00:00Z";
@@ -46,15 +42,21 @@ bool isDate(const std::string& text) {
 }
 
 // Requires exactly one known value of each dimension.
-std::optional<Candidate> candidateIn(const json& choice) {
-  if (!choice.is_object() || choice.size() != dimensionTable().size()) return std::nullopt;
+Candidate candidateIn(const JsonValue& choice) {
+  if (choice.keys().size() != dimensionTable().size()) choice.fail("expected a value for each tuned option");
   Candidate candidate;
   for (const Dimension& dimension : dimensionTable()) {
-    const std::optional<std::size_t> value = valueNamed(dimension, textAt(choice, dimension.option));
-    if (!value) return std::nullopt;
+    const JsonValue name = choice.require(dimension.option);
+    const std::optional<std::size_t> value = valueNamed(dimension, name.text());
+    if (!value) name.fail(fmt::format("expected a value of --{}", dimension.option));
     candidate.push_back(*value);
   }
   return candidate;
+}
+
+std::string dateIn(const JsonValue& date) {
+  if (!isDate(date.text())) date.fail("expected a date");
+  return date.text();
 }
 
 TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(problem)}; }
@@ -63,15 +65,18 @@ TuningLookup parse(const std::string& text, const cache::DeviceKey& key, const v
   if (findTooDeepJson(text)) return refuse("it is damaged");
   const json file = json::parse(text, nullptr, false);
   if (!file.is_object()) return refuse("it is damaged");
-  if (textAt(file, "schema") != kSchema) return refuse("it was written by another version of Candela");
-  if (file.value("key", json()) != json::parse(cache::toText(key))) {
-    return refuse("it is for another device, driver or set of kernels");
+  const JsonValue root(file, "");
+  try {
+    if (root.require("schema").text() != kSchema) return refuse("it was written by another version of Candela");
+    if (root.require("key").json() != json::parse(cache::toText(key))) {
+      return refuse("it is for another device, driver or set of kernels");
+    }
+    const Tuning tuning{candidateIn(root.require("choice")), dateIn(root.require("date"))};
+    if (!isFeasible(tuning.candidate, info)) return refuse("the device does not support its settings");
+    return {tuning, ""};
+  } catch (const JsonError& error) {
+    return refuse(fmt::format("it is damaged: {}", error.what()));
   }
-  const std::optional<Candidate> candidate = candidateIn(file.value("choice", json()));
-  const std::string date = textAt(file, "date");
-  if (!candidate || !isDate(date)) return refuse("it is damaged");
-  if (!isFeasible(*candidate, info)) return refuse("the device does not support its settings");
-  return {Tuning{*candidate, date}, ""};
 }
 
 }  // namespace

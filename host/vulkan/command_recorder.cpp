@@ -21,11 +21,11 @@ constexpr vk::AccessFlags kReads = Access::eShaderRead | Access::eUniformRead | 
                                    Access::eIndirectCommandRead;
 
 void requireGroups(const vk::PhysicalDeviceLimits& limits, GroupCount groups) {
-  const auto& most = limits.maxComputeWorkGroupCount;
+  const auto& max = limits.maxComputeWorkGroupCount;
   const bool isNone = groups.x == 0 || groups.y == 0 || groups.z == 0;
-  if (!isNone && groups.x <= most[0] && groups.y <= most[1] && groups.z <= most[2]) return;
+  if (!isNone && groups.x <= max[0] && groups.y <= max[1] && groups.z <= max[2]) return;
   throw InternalError(fmt::format("a dispatch of {} x {} x {} workgroups exceeds the limit of {} x {} x {}", groups.x,
-                                  groups.y, groups.z, most[0], most[1], most[2]));
+                                  groups.y, groups.z, max[0], max[1], max[2]));
 }
 
 RecordedDispatch recordedDispatch(const ComputePipeline& pipeline, const BindingSet& bindings,

@@ -1,4 +1,4 @@
-// Loops that end in unusual places. `state` is an invocation's own word, so that invocations diverge.
+// Loops that end in unusual positions. `state` is an invocation's own word, so that invocations diverge.
 #ifndef CANDELA_CONFORMANCE_LOOPS_GLSL
 #define CANDELA_CONFORMANCE_LOOPS_GLSL
 #include "chain.glsl"
@@ -74,15 +74,15 @@ uvec4 endAtTheEnd(uint state) {
 
 // Values of the iteration in which an invocation leaves the loop.
 uvec4 valuesAfterBreak(uint state) {
-  uint turns = 0u;
+  uint iterations = 0u;
   uint before = 0u;
   while (true) {
     before = state;
     state = next(state);
-    turns += 1u;
+    iterations += 1u;
     if ((state >> 27) == 3u) break;
   }
-  return uvec4(state, before, turns, state ^ before);
+  return uvec4(state, before, iterations, state ^ before);
 }
 
 uvec4 nestedBreak(uint state) {

@@ -73,11 +73,11 @@ void listInShared(uint i, uint local) {
 // Words of other invocations of the workgroup, through a storage buffer.
 void exchangeInStorage(uint i, uint local) {
   uint word = next(i);
-  for (uint turn = 0u; turn < 8u; ++turn) {
+  for (uint iteration = 0u; iteration < 8u; ++iteration) {
     data[i] = word;
     memoryBarrierBuffer();
     barrier();
-    uint other = data[i - local + ((local * 5u + turn) & (kGroupSize - 1u))];
+    uint other = data[i - local + ((local * 5u + iteration) & (kGroupSize - 1u))];
     barrier();
     word = next(word ^ other);
   }

@@ -31,11 +31,11 @@ RayReport measure(const scene::Scene& scene, const render::RenderSettings& setti
   std::size_t place = 0;
   for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
     const std::size_t i = place++ % all.size();
-    RayRow row{scene.name, scene.hash, "Embree", "", 0, std::move(measurement), 1 - kEdgeShare};
+    RayRow row{scene.name, scene.hash, "Embree", std::nullopt, 0, std::move(measurement), 1 - kEdgeShare};
     if (i < tracers.size()) {
       row = {scene.name,
              scene.hash,
-             tracers[i]->layout(),
+             nameOf(tracers[i]->layout()),
              tracers[i]->sceneLoads(),
              tracers[i]->sceneBytes(),
              std::move(row.measurement)};
@@ -53,7 +53,7 @@ void printRatios(const RayReport& report) {
       fmt::print(
           "{:<8} {:<6} {:<8} {:.3f} of Embree by the clock, {:.3f} by processor time; Embree finds {:.4f} of the "
           "hits\n",
-          rayKindName(row.measurement.kind), row.tracer, row.sceneLoads,
+          rayKindName(row.measurement.kind), row.tracer, nameOf(row.sceneLoads),
           row.measurement.mraysPerSecond() / peer.measurement.mraysPerSecond(),
           row.measurement.mraysPerProcessorSecond() / peer.measurement.mraysPerProcessorSecond(),
           peer.measurement.share);

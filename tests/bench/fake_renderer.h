@@ -35,7 +35,8 @@ class FakeRenderer final : public test::OneShotRenderer {
     result.statistics.seconds = {{"trace", run.traceSeconds}, {"structure", 0.25 * run.traceSeconds}};
     result.statistics.structure = settings.structure.accel == render::AccelKind::grid ? render::AccelKind::grid
                                                                                       : render::AccelKind::bvh;
-    result.statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::sah ? "sah" : "midpoint";
+    result.statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::sah ? render::SplitInUse::sah
+                                                                                      : render::SplitInUse::midpoint;
     result.interrupted = run.interrupted;
     if (control.progress) control.progress(1, 1000);
     return result;

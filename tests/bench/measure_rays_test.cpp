@@ -89,11 +89,11 @@ TEST_CASE("a tracer with other hits has no figures, unless the difference is wit
   CHECK(measurements[1].share == Approx(0.9));
   CHECK(measurements[2].share == Approx(0.9));  // its distances differ, which is permitted for a peer
   RayReport report{"device", "driver", {8, 8}, {64, 64}, 1, {}};
-  report.rows.push_back({"room", 1, "bvh2", "texel", 1024, measurements[0]});
+  report.rows.push_back({"room", 1, "bvh2", render::SceneLoads::texel, 1024, measurements[0]});
   CHECK(report.agree());
-  report.rows.push_back({"room", 1, "Embree", "", 0, measurements[2], 0.85});
+  report.rows.push_back({"room", 1, "Embree", std::nullopt, 0, measurements[2], 0.85});
   CHECK(report.agree());
-  report.rows.push_back({"room", 1, "cwbvh", "texel", 1024, measurements[1]});
+  report.rows.push_back({"room", 1, "cwbvh", render::SceneLoads::texel, 1024, measurements[1]});
   CHECK_FALSE(report.agree());
   CHECK_THAT(toText(report), Contains("differs"));
   const auto json = toJson(report);

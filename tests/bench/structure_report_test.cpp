@@ -16,7 +16,7 @@ StructureReport structureReportOf(std::vector<ScriptedRun> script) {
   const std::vector<Variant> variants = structureVariants(render::RenderSettings{});
   StructureReport report;
   for (Measurement& m : measureInterleaved(renderer, scene::Scene{}, variants, 1, {})) {
-    report.rows.push_back({"room", 0x1234, std::move(m), std::nullopt});
+    report.rows.push_back({"room", 0x1234, std::move(m)});
   }
   return report;
 }
@@ -34,9 +34,9 @@ TEST_CASE("the compared structures are a grid, a BVH with midpoint splits and a 
 TEST_CASE("few primitives, which are traced as a list, are not called a BVH") {
   StructureReport report = structureReportOf({{1}, {1}, {1}});
   report.rows[2].measurement.statistics.structure = render::AccelKind::bvh;
-  report.rows[2].measurement.statistics.bvhSplit = "sah";
+  report.rows[2].measurement.statistics.bvhSplit = render::SplitInUse::sah;
   CHECK_THAT(toText(report), Contains("BVH, SAH") && !Contains("list"));
-  report.rows[2].measurement.statistics.layout = "list";
+  report.rows[2].measurement.statistics.layout = render::LayoutInUse::list;
   CHECK_THAT(toText(report), Contains("list (too few primitives for a BVH)") && !Contains("BVH, SAH"));
 }
 

@@ -26,10 +26,11 @@ Measurement measurementOf(const std::string& name, double seconds) {
 }
 
 SweepReport report() {
-  SweepReport report{.repeats = 3,
-                     .rows = {{"a.p3f", 1, measurementOf("workgroup=8x8", 2)},
-                              {"a.p3f", 1, measurementOf("workgroup=<16>", 1)},
-                              {"b.p3f", 2, measurementOf("workgroup=8x8", 4)}}};
+  SweepReport report;
+  report.repeats = 3;
+  report.rows = {{"a.p3f", 1, measurementOf("workgroup=8x8", 2)},
+                 {"a.p3f", 1, measurementOf("workgroup=<16>", 1)},
+                 {"b.p3f", 2, measurementOf("workgroup=8x8", 4)}};
   report.rows[2].measurement.agrees = false;
   return report;
 }

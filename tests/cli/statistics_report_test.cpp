@@ -41,6 +41,40 @@ TEST_CASE("rates are per second of tracing") {
   CHECK(json["auto"] == "tuned");
 }
 
+TEST_CASE("the choices in use have their names on the command line, and empty texts where there is none") {
+  using namespace render;
+  RenderResult result = exampleResult();
+  const auto names = [&] {
+    const auto json = toJson(RenderReport{RenderJob{}, result, 0, 0});
+    std::vector<std::string> texts;
+    for (const char* key : {"structure", "bvhSplit", "bvhQuality", "layout", "kernel", "sceneLoads"}) {
+      texts.push_back(json[key]);
+    }
+    return texts;
+  };
+  using Names = std::vector<std::string>;
+  CHECK(names() == Names{"bvh", "", "", "", "reference", ""});
+  RenderStatistics& statistics = result.statistics;
+  const auto use = [&](AccelKind accel, SplitInUse split, BuildQuality quality, LayoutInUse layout, KernelInUse kernel,
+                       SceneLoads loads) {
+    statistics.structure = accel;
+    statistics.bvhSplit = split;
+    statistics.bvhQuality = quality;
+    statistics.layout = layout;
+    statistics.kernel = kernel;
+    statistics.sceneLoads = loads;
+    return names();
+  };
+  CHECK(use(AccelKind::none, SplitInUse::sah, BuildQuality::fast, LayoutInUse::list, KernelInUse::megakernel,
+            SceneLoads::texel) == Names{"none", "sah", "fast", "list", "megakernel", "texel"});
+  CHECK(use(AccelKind::grid, SplitInUse::midpoint, BuildQuality::standard, LayoutInUse::bvh2, KernelInUse::wavefront,
+            SceneLoads::storage) == Names{"grid", "midpoint", "default", "bvh2", "wavefront", "storage"});
+  CHECK(use(AccelKind::bvh, SplitInUse::median, BuildQuality::high, LayoutInUse::cwbvh, KernelInUse::whitted,
+            SceneLoads::texel) == Names{"bvh", "median", "high", "cwbvh", "whitted", "texel"});
+  statistics.kernel = KernelInUse::views;
+  CHECK(names()[4] == "views");
+}
+
 TEST_CASE("rays of the Whitted tracer are reported by kind, those of paths are not") {
   render::RenderResult result = exampleResult();
   CHECK_FALSE(toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"].contains("reflected"));

@@ -221,7 +221,9 @@ TEST_CASE("a forged film of nested boxes is refused, and not divided into millio
     header.covered.push_back({{i, i, 4096 - 2 * i, 4096 - 2 * i}, {2 * i, 2 * i + 1}});
   }
   writeFilm(folder / "a.exr", header, image::Film(2, 2));
-  CHECK_THAT(refusalOf(folder / "a.exr"), Catch::Contains("the description of the film has no valid covered"));
+  CHECK_THAT(refusalOf(folder / "a.exr"),
+             Catch::Contains("the description of the film: /covered: a box exceeds the window"));
   header.window = {0, 0, 4096, 4096};
-  CHECK_THROWS_WITH(headerFromJson(toJson(header)), "the description of the film has no valid covered");
+  CHECK_THROWS_WITH(headerFromJson(toJson(header)),
+                    "the description of the film: /covered: the boxes overlap, or are not in the form that is written");
 }

@@ -73,7 +73,7 @@ TEST_CASE("threads, tiles and the structure do not change a byte of the film") {
   const render::RenderResult first = renderScene(scene, settings);
   const std::uint64_t hash = first.film.hash();
   CHECK(first.statistics.structure == render::AccelKind::bvh);
-  CHECK(first.statistics.bvhSplit == "median");
+  CHECK(first.statistics.bvhSplit == render::SplitInUse::median);
 
   settings.execution.threads = 2;
   CHECK(renderScene(scene, settings).film.hash() == hash);
@@ -88,7 +88,7 @@ TEST_CASE("threads, tiles and the structure do not change a byte of the film") {
   settings.structure.bvhSplit = render::BvhSplit::midpoint;
   const render::RenderResult midpoint = renderScene(scene, settings);
   CHECK(midpoint.statistics.structure == render::AccelKind::bvh);
-  CHECK(midpoint.statistics.bvhSplit == "midpoint");
+  CHECK(midpoint.statistics.bvhSplit == render::SplitInUse::midpoint);
   CHECK(midpoint.film.hash() == hash);
   settings.structure.accel = render::AccelKind::grid;
   const render::RenderResult grid = renderScene(scene, settings);
@@ -141,7 +141,7 @@ TEST_CASE("statistics have the counts of the work that was done") {
   settings.execution.threads = 2;
   const render::RenderStatistics direct = renderScene(mirroredFloor().scene, settings).statistics;
   CHECK(direct.device == "cpu");
-  CHECK(direct.kernel == "reference");
+  CHECK(direct.kernel == render::KernelInUse::reference);
   CHECK(direct.structure == render::AccelKind::none);
   CHECK(direct.threads == 2);
   CHECK(direct.samples == 105);

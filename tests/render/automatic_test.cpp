@@ -75,17 +75,17 @@ TEST_CASE("a requested workgroup is used, else the preferred one") {
 
 TEST_CASE("a requested kernel is used, else the preferred one, except by integrators with a single kernel") {
   render::RenderSettings settings;
-  const auto nameOf = [&] { return std::string(kernelFor(flatten::FlatScene{}, settings).name); };
-  CHECK(nameOf() == "megakernel");
+  const auto kernel = [&] { return kernelFor(flatten::FlatScene{}, settings).kind; };
+  CHECK(kernel() == render::KernelInUse::megakernel);
   settings.execution.automatic.kernel = render::KernelKind::wavefront;
-  CHECK(nameOf() == "wavefront");
+  CHECK(kernel() == render::KernelInUse::wavefront);
   settings.execution.kernel = render::KernelKind::megakernel;
-  CHECK(nameOf() == "megakernel");
+  CHECK(kernel() == render::KernelInUse::megakernel);
   settings.execution.kernel = render::KernelKind::automatic;
   settings.image.integrator = render::Integrator::whitted;
-  CHECK(nameOf() == "whitted");
+  CHECK(kernel() == render::KernelInUse::whitted);
   settings.image.integrator = render::Integrator::depth;
-  CHECK(nameOf() == "views");
+  CHECK(kernel() == render::KernelInUse::views);
 }
 
 }  // namespace

@@ -68,10 +68,10 @@ TEST_CASE("the structure and the type of scene loads do not change the image", "
     render::RenderSettings settings = baseSettings();
     settings.execution.sceneLoads = render::SceneLoads::texel;
     const render::RenderResult texel = renderOnDevice(scene, settings);
-    CHECK(texel.statistics.sceneLoads == "texel");
+    CHECK(texel.statistics.sceneLoads == render::SceneLoads::texel);
     settings.execution.sceneLoads = render::SceneLoads::storage;
     const render::RenderResult storage = renderOnDevice(scene, settings);
-    CHECK(storage.statistics.sceneLoads == "storage");
+    CHECK(storage.statistics.sceneLoads == render::SceneLoads::storage);
     settings.structure.accel = render::AccelKind::none;
     const render::RenderResult bruteForce = renderOnDevice(scene, settings);
     CHECK(bruteForce.statistics.structure == render::AccelKind::none);

@@ -71,6 +71,18 @@ render::RenderResult renderOnReference(const scene::Scene& scene, const render::
   return reference::makeReferenceRenderer()->render(scene, settings, {});
 }
 
+void requireEqualCounts(const render::RenderStatistics& a, const render::RenderStatistics& b) {
+  CHECK(a.samples == b.samples);
+  CHECK(a.badSamples == b.badSamples);
+  CHECK(a.cameraRays == b.cameraRays);
+  CHECK(a.bounceRays == b.bounceRays);
+  CHECK(a.shadowRays == b.shadowRays);
+  CHECK(a.vertices == b.vertices);
+  CHECK(a.traversalSteps == b.traversalSteps);
+  CHECK(a.truncated == 0);
+  CHECK(b.truncated == 0);
+}
+
 double meanLuminance(const image::Film& film) {
   double sum = 0;
   for (std::uint32_t y = 0; y < film.height(); ++y) {

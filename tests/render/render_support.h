@@ -40,6 +40,9 @@ render::Renderer& testRenderer();
 /// The device that CANDELA_TEST_DEVICE selects; empty: the best device.
 std::string testDevice();
 
+/// Checks that both sides did the same work, and that no loop was truncated.
+void requireEqualCounts(const render::RenderStatistics& a, const render::RenderStatistics& b);
+
 double meanLuminance(const image::Film& film);
 /// Mean of one pixel's luminance.
 double pixelLuminance(const image::Film& film, std::uint32_t x, std::uint32_t y);

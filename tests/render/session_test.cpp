@@ -31,16 +31,6 @@ render::RenderSettings sessionSettings() {
   return settings;
 }
 
-void requireEqualCounts(const render::RenderStatistics& a, const render::RenderStatistics& b) {
-  CHECK(a.samples == b.samples);
-  CHECK(a.cameraRays == b.cameraRays);
-  CHECK(a.bounceRays == b.bounceRays);
-  CHECK(a.shadowRays == b.shadowRays);
-  CHECK(a.vertices == b.vertices);
-  CHECK(a.traversalSteps == b.traversalSteps);
-  CHECK(a.truncated == 0);
-}
-
 scene::Camera movedCamera(const scene::Scene& scene) {
   scene::Camera camera = *scene.camera;
   camera.from += glm::vec3(0.25f, -0.125f, 0.5f);

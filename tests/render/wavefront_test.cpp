@@ -23,21 +23,11 @@ render::RenderResult renderWith(render::KernelKind kernel, const scene::Scene& s
   return renderOnDevice(scene, settings);
 }
 
-void requireSameCounts(const render::RenderStatistics& waves, const render::RenderStatistics& mega) {
-  CHECK(waves.samples == mega.samples);
-  CHECK(waves.badSamples == mega.badSamples);
-  CHECK(waves.cameraRays == mega.cameraRays);
-  CHECK(waves.bounceRays == mega.bounceRays);
-  CHECK(waves.shadowRays == mega.shadowRays);
-  CHECK(waves.vertices == mega.vertices);
-  CHECK(waves.traversalSteps == mega.traversalSteps);
-}
-
 void requireSameAs(const render::RenderResult& mega, const render::RenderResult& waves) {
-  CHECK(mega.statistics.kernel == "megakernel");
-  CHECK(waves.statistics.kernel == "wavefront");
+  CHECK(mega.statistics.kernel == render::KernelInUse::megakernel);
+  CHECK(waves.statistics.kernel == render::KernelInUse::wavefront);
   CHECK(waves.film.hash() == mega.film.hash());
-  requireSameCounts(waves.statistics, mega.statistics);
+  requireEqualCounts(waves.statistics, mega.statistics);
 }
 
 render::RenderResult requireSame(const scene::Scene& scene, const render::RenderSettings& settings) {

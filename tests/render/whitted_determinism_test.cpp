@@ -22,7 +22,7 @@ render::RenderSettings whittedSettings() {
 TEST_CASE("workgroup, segments and tile do not change the image of a tree of rays", "[swiftshader-slow]") {
   const scene::Scene scene = primitivesUnderLights();
   const render::RenderResult base = renderOnDevice(scene, whittedSettings());
-  CHECK(base.statistics.kernel == "whitted");
+  CHECK(base.statistics.kernel == render::KernelInUse::whitted);
   CHECK(base.statistics.treeRays->refracted > 0);
   const auto requireSame = [&](const render::RenderSettings& settings) {
     const render::RenderResult result = renderOnDevice(scene, settings);

@@ -28,14 +28,14 @@ class MadeDevice {
       for (const Candidate& candidate : candidates) {
         const auto found = times_.find(nameOf(candidate));
         rows.push_back(madeRow(candidate, found == times_.end() ? kOneSecond : found->second, repeats));
-        for (bench::SweepRow& scene : rows.back().scenes) scene.measurement.statistics.layout = layout;
+        for (bench::RenderRow& scene : rows.back().scenes) scene.measurement.statistics.layout = layout;
       }
       if (afterFirstRound) times_ = *afterFirstRound;
       return rows;
     });
   }
 
-  std::string layout = "cwbvh";  ///< that the device uses
+  render::LayoutInUse layout = render::LayoutInUse::cwbvh;  ///< that the device uses
   std::vector<std::uint32_t> repeatsOfRounds;
   std::optional<Times> afterFirstRound;
 
@@ -68,7 +68,7 @@ TEST_CASE("noise is two standard errors of the medians, less over more runs and 
 TEST_CASE("layouts are not compared where all scenes are traced as lists") {
   MadeDevice device(Times{{named({{"layout", "bvh2"}}), {{0.5}, {0.5}}}});
   CHECK(device.search().chosen == candidateWith({{"layout", "bvh2"}}));
-  device.layout = "list";
+  device.layout = render::LayoutInUse::list;
   const SearchResult result = device.search();
   CHECK(result.chosen == builtIn());
   CHECK_FALSE(result.tunesLayout);
