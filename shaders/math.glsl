@@ -22,13 +22,14 @@ vec2 cosSin(float x) {
   return vec2(c, s);
 }
 
-// (cos, sin) of `turns` times 2 pi, for |turns| < 2^20.
+// (cos, sin) of `turns` times 2 pi, for |turns| < 2^20. It has no selection of two blocks: docs/driver-workarounds.md section 15.
 vec2 cosSinOfTurns(float turns) {
   float quarters = floor(4.0 * turns + 0.5);
   vec2 cs = cosSin((2.0 * kPi) * (turns - 0.25 * quarters));
   uint quadrant = uint(int(quarters)) & 3u;
-  vec2 turned = (quadrant & 1u) != 0u ? vec2(-cs.y, cs.x) : cs;
-  return (quadrant & 2u) != 0u ? -turned : turned;
+  if ((quadrant & 1u) != 0u) cs = vec2(-cs.y, cs.x);
+  if ((quadrant & 2u) != 0u) cs = -cs;
+  return cs;
 }
 
 // Returns the angle of a vector (cosine, sine) of any length in turns, in [-1/2, 1/2]; 0 for the zero vector. The arc tangent of

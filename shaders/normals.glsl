@@ -13,12 +13,14 @@ struct Normals {
 Normals normalsTowards(Surface surface, vec3 wo) {
   Normals normals;
   normals.outside = dot(surface.outward, wo) > 0.0;
-  normals.geometric = normals.outside ? surface.outward : -surface.outward;
+  normals.geometric = surface.outward;
+  if (!normals.outside) normals.geometric = -normals.geometric;
   normals.shading = normals.geometric;
   if (kHasSmooth || kHasNormalMaps) {
-    vec3 turned = normals.outside ? surface.shading : -surface.shading;
+    vec3 turned = surface.shading;
+    if (!normals.outside) turned = -turned;
     bool keeps = dot(turned, wo) > 0.0 || (kHasNormalMaps && surface.isMapped);
-    normals.shading = keeps ? turned : normals.geometric;
+    if (keeps) normals.shading = turned;
   }
   return normals;
 }

@@ -23,10 +23,10 @@ float reducedCoordinate(float s, uint wrap) {
 
 // Returns the texel of a row or column of `count` that index x stands for; x is at most one beyond a period.
 uint wrappedTexel(int x, int count, uint wrap) {
-  int period = wrap == kWrapMirroredRepeat ? 2 * count : count;
+  int period = count * (wrap == kWrapMirroredRepeat ? 2 : 1);
   if (wrap != kWrapClampToEdge) {
-    x = x < 0 ? x + period : x;
-    x = x >= period ? x - period : x;
+    if (x < 0) x += period;
+    if (x >= period) x -= period;
     if (wrap == kWrapMirroredRepeat && x >= count) x = period - 1 - x;
   }
   return uint(clamp(x, 0, count - 1));
@@ -64,7 +64,8 @@ Lookup lookupAt(uint reference, vec4 texCoords) {
   uint row = constants.firstTextureRow + (kHasDeepTexels ? reference & ~kDeepReference : reference);
   uvec4 first = sceneRow(row);
   uvec4 second = sceneRow(row + 1u);
-  vec2 uv = (first.w & kTextureSecondSet) != 0u ? texCoords.zw : texCoords.xy;
+  vec2 uv = texCoords.xy;
+  if ((first.w & kTextureSecondSet) != 0u) uv = texCoords.zw;
   precise float s = uintBitsToFloat(first.x) * uv.x + uintBitsToFloat(first.y) * uv.y + uintBitsToFloat(first.z);
   precise float t = uintBitsToFloat(second.x) * uv.x + uintBitsToFloat(second.y) * uv.y + uintBitsToFloat(second.z);
   uvec2 wrap = (uvec2(first.w) >> uvec2(kTextureWrapShiftS, kTextureWrapShiftT)) & kTextureWrapMask;
@@ -86,7 +87,8 @@ uvec2 texelAt(Lookup at, vec2 displacement) {
   uint texel = y * at.size.x + x;
   if (kHasDeepTexels && at.deep) {
     uvec4 pair = sceneRow(at.firstRow + (texel >> 1));
-    return (texel & 1u) == 0u ? pair.xy : pair.zw;
+    if ((texel & 1u) != 0u) pair.xy = pair.zw;
+    return pair.xy;
   }
   uint packed = sceneRow(at.firstRow + (texel >> 2))[texel & 3u];
   return kHasDeepTexels ? deepTexel(packed) : uvec2(packed, 0u);

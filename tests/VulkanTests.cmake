@@ -42,9 +42,6 @@ function(candela_discover_on_driver name driver icd package slow)
   endif()
   # OUTPUT_SUFFIX only distinguishes the files of two discoveries of one program; no file is written under that name.
   string(REGEX REPLACE ",?\\[" "~[" fast "${slow}")
-  if(driver STREQUAL swiftshader)
-    string(APPEND fast "~[lavapipe-only]")
-  endif()
   catch_discover_tests(${name} TEST_SPEC "${fast}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
                        EXTRA_ARGS ${fail_without_cases} TEST_LIST ${name}_${driver})
   catch_discover_tests(${name} TEST_SPEC "${slow}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}

@@ -70,6 +70,7 @@ enum Opcode : std::uint32_t {
   kOpLabel = 248,
   kOpBranch = 249,
   kOpBranchConditional = 250,
+  kOpSwitch = 251,
   kOpUnreachable = 255,
 };
 

@@ -102,7 +102,7 @@ double closedForm(double at, double ab, const glm::dvec2& slope) {
 
 }  // namespace
 
-TEST_CASE("anisotropic surfaces have the reference's pixels at equal seeds", "[lavapipe-only]") {
+TEST_CASE("anisotropic surfaces have the reference's pixels at equal seeds") {
   const scene::Scene scene = brushedSquares();
   for (const std::uint32_t seed : {0u, 1u}) {
     render::RenderSettings settings = squareSettings(96, 1);

@@ -77,7 +77,7 @@ TEST_CASE("glass with dispersion has the reference's pixels at equal seeds, by b
   }
 }
 
-TEST_CASE("glass with dispersion below coats, films and normal maps has the reference's pixels", "[lavapipe-only]") {
+TEST_CASE("glass with dispersion below coats, films and normal maps has the reference's pixels") {
   render::RenderSettings settings = test::settingsOf(96, 96, 1);
   checkPixelsAgree(coveredGlass(), settings);
 }
