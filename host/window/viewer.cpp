@@ -117,7 +117,7 @@ view::EngineHooks Viewer::hooks() {
 
 void Viewer::handle(const Event& event) {
   eventTime_ = monotonicSeconds();
-  passToGui(event);
+  screen_.guiInput().pass(event);
   const ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
     case Event::Kind::move:
