@@ -21,15 +21,34 @@ const float kPictureBelowDifference = 0.15;  // brightness of the picture below 
 float luminanceOf(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
 vec3 shown(vec4 value) {
-  return value.w == 0.0 ? kSurroundings : displaySignal(value.xyz * window.gain, kToneMap, window.falseColourScale);
+  vec3 scaled = (value.xyz - window.valueOffset.xyz) * window.valueGain.xyz;
+  if (window.repeats != 0u) scaled = fract(scaled);
+  if (window.hidesZero != 0u && value.xyz == vec3(0.0)) scaled = vec3(0.0);
+  return value.w == 0.0 ? kSurroundings : displaySignal(scaled, kToneMap, window.falseColourScale);
+}
+
+float maxMagnitude(vec3 value) { return max(max(abs(value.x), abs(value.y)), abs(value.z)); }
+
+// The difference of the two luminances, divided by their mean.
+float lightDifference(vec3 device, vec3 reference) {
+  float a = luminanceOf(device);
+  float b = luminanceOf(reference);
+  return a == b ? 0.0 : 2.0 * (a - b) / (a + b);
+}
+
+// The difference of the channel that differs most, divided by the mean of the maximum magnitudes.
+float valueDifference(vec3 device, vec3 reference) {
+  vec3 difference = device - reference;
+  float most = abs(difference.x) >= abs(difference.y) ? difference.x : difference.y;
+  most = abs(most) >= abs(difference.z) ? most : difference.z;
+  return most == 0.0 ? 0.0 : 2.0 * most / (maxMagnitude(device) + maxMagnitude(reference));
 }
 
 // Blue where the reference is brighter, orange where the device is, hatched where the two cannot be compared.
 vec3 differenceSignal(vec4 device, vec4 reference, uvec2 pixel) {
   if (device.w != reference.w || device.w == 0.0) return vec3(((pixel.x + pixel.y) / 4u & 1u) == 0u ? 0.16 : 0.22);
-  float a = luminanceOf(device.xyz);
-  float b = luminanceOf(reference.xyz);
-  float relative = a == b ? 0.0 : 2.0 * (a - b) / (a + b);
+  float relative = window.isLight != 0u ? lightDifference(device.xyz, reference.xyz)
+                                        : valueDifference(device.xyz, reference.xyz);
   float strength = min(abs(relative) * window.differenceGain, 1.0);
   vec3 colour = relative > 0.0 ? vec3(1.0, 0.55, 0.1) : vec3(0.15, 0.5, 1.0);
   return mix(vec3(kPictureBelowDifference * luminanceOf(shown(reference))), colour, strength);

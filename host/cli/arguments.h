@@ -14,6 +14,7 @@
 #include "host/render/session.h"
 #include "host/scene/load.h"
 #include "host/verify/light_test.h"
+#include "host/view/shown_layer.h"
 #include "host/view/view_state.h"
 
 namespace candela::cli {
@@ -128,6 +129,7 @@ struct Arguments {
   std::string svg;                  ///< like `json`
 
   view::Mode viewMode = view::Mode::device;  ///< for `view`
+  view::ShownLayer viewLayer;                ///< for `view`
 
   bool dryRun = false;  ///< for `tune`: store nothing
 

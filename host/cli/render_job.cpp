@@ -79,7 +79,10 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--rr-start", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
                   "--integrator path"},
     SpecialOption{"--aov-through-specular",
-                  [](const Arguments& a) { return !withSums(a.request.settings.image.layers).isEmpty(); },
+                  [](const Arguments& a) {
+                    const bool mayShowLayers = a.command == Command::view;  // they are chosen in the window
+                    return mayShowLayers || !withSums(a.request.settings.image.layers).isEmpty();
+                  },
                   "renders with --aov or --denoise"},
     SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.request.settings.image.integrator); },
                   "--integrator path or whitted"},

@@ -1,4 +1,6 @@
 // Options of bench, tune, view and the commands that write scenes, and options of all commands.
+#include <fmt/format.h>
+
 #include "host/cli/option_groups.h"
 #include "host/cli/option_kinds.h"
 
@@ -10,6 +12,24 @@ const std::vector<std::pair<std::string, view::Mode>> kModes{{"device", view::Mo
                                                              {"reference", view::Mode::reference},
                                                              {"split", view::Mode::split},
                                                              {"difference", view::Mode::difference}};
+
+// The picture, the layers by their names of --aov, and short names of the mattes.
+Notation<view::ShownLayer> shownLayer() {
+  std::vector<std::pair<std::string, view::ShownLayer>> names{{std::string(view::shownName({})), std::nullopt}};
+  for (const image::Layer layer : view::shownLayers()) names.emplace_back(view::shownName(layer), layer);
+  names.emplace_back("id", image::Layer::cryptoObject);
+  names.emplace_back("material", image::Layer::cryptoMaterial);
+  Notation<view::ShownLayer> notation = choice(names);
+  notation.metavar = "LAYER";
+  return notation;
+}
+
+std::string shownLayerText() {
+  std::string text;
+  for (const image::Layer layer : view::shownLayers())
+    text += (text.empty() ? "" : ", ") + std::string(view::shownName(layer));
+  return text;
+}
 
 }  // namespace
 
@@ -61,6 +81,8 @@ std::vector<Option> viewingOptions() {
            orAbsent(wholeNumber(0, render::kMaxSampleCount), "4096"), [](auto& a) -> auto& { return a.request.sampleCount; }),
     valued({"--show", kView, kGroup, "what the window shows first: the image of one tracer, both images side by side, or their difference"},
            choice(kModes), [](auto& a) -> auto& { return a.viewMode; }),
+    valued({"--layer", kView, kGroup, fmt::format("layer that the window shows first instead of the picture: {}; `id` and `material` are short names of the mattes", shownLayerText())},
+           shownLayer(), [](auto& a) -> auto& { return a.viewLayer; }),
   };
 }
 

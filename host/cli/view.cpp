@@ -31,6 +31,11 @@ constexpr render::Extent kWarmUpSize{8, 8};
 
 Arguments withChoice(Arguments arguments, const view::Choice& choice) {
   arguments.device = choice.device;
+  image::LayerSet& layers = arguments.request.settings.image.layers;
+  layers.bits |= view::neededBy(choice.layer).bits;
+  // Another integrator than that of the command line was chosen in the window. Only the path tracer has layers.
+  if (choice.integrator != arguments.request.settings.image.integrator && choice.integrator != render::Integrator::path)
+    layers = {};
   arguments.request.settings.image.integrator = choice.integrator;
   arguments.request.settings.execution.dispatchSeconds = kDispatchSeconds;
   if (!arguments.request.sampleCount) arguments.request.sampleCount = kDefaultSamples;
@@ -40,6 +45,18 @@ Arguments withChoice(Arguments arguments, const view::Choice& choice) {
 // Returns whether a pixel lacks samples.
 bool isPartial(const image::Film& film, const RenderJob& job) {
   return render::minSampleCount(film.pixels()) < job.settings().image.sampleCount;
+}
+
+// Writes the colours of a layer, which an 8-bit file has instead of the picture.
+void writeLayer(const std::filesystem::path& file, const image::Film& film, image::Layer layer,
+                const image::DisplayTransform& display, std::uint32_t sampleCount) {
+  view::Picture picture({film.width(), film.height()});
+  showLayer(film, layer, picture);
+  const view::LayerColours colours = view::coloursOf(layer, display, view::rangeOf(picture), sampleCount);
+  image::Image image = toImage(film);
+  for (std::size_t i = 0; i < image.rgb.size(); ++i)
+    image.rgb[i] = view::exposed(glm::vec3(picture.pixels[i]), colours);
+  writeImage(file, image, {colours.toneMap, 0, colours.scale});
 }
 
 /// Provides the engine with scenes and sessions, and writes its image files.
@@ -95,6 +112,8 @@ class ViewedScene {
     Metadata metadata = metadataOf(job, {film, statistics, isPartial(film, job), {}});
     addMovedCamera(camera, *sessions.scene->camera, metadata);
     const image::Image image = pictureOf(film, job.settings().image.hasAlpha(), std::move(metadata));
+    if (choice.layer && image::isEightBit(file))
+      return writeLayer(file, film, *choice.layer, display, job.settings().image.sampleCount);
     writeImage(file, image, display);
   }
 
@@ -158,7 +177,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   requireWritableReport(arguments.json);
   ViewedScene scene(arguments, log);
-  const view::Choice choice{arguments.device, arguments.request.settings.image.integrator};
+  const view::Choice choice{arguments.device, arguments.request.settings.image.integrator, arguments.viewLayer};
   const RenderJob first = scene.job(choice, true);
   image::DisplayTransform display = arguments.display;
   display.exposure = arguments.exposure.value_or(0);
@@ -172,7 +191,8 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
        .display = display,
        .openDevice =
            [&](const auto& extensions) {
-             return scene.open({choice.usesReference() ? "" : choice.device, choice.integrator}, extensions);
+             return scene.open({choice.usesReference() ? "" : choice.device, choice.integrator, choice.layer},
+                               extensions);
            },
        .start = start});
   writeJson(arguments.json, toJson(report));

@@ -41,6 +41,9 @@ struct Image {
 Image toImage(const Film& film);
 /// Adds the film's alpha to the image of the film.
 void addAlpha(Image& image, const Film& film);
+/// Returns the values of one of a layer's channels (see layerChannelNames), which the film must have and which is not a
+/// matte.
+std::vector<float> layerChannelValues(const Film& film, Layer layer, std::size_t channel);
 /// Adds the channels of the film's layers to the image of the film: docs/layers.md.
 void addLayers(Image& image, const Film& film);
 /// Returns the sum of `badSampleCounts`.

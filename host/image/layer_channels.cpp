@@ -108,17 +108,6 @@ const std::vector<std::vector<std::string>>& allChannelNames() {
   return names;
 }
 
-Channel channelOf(const Film& film, Layer layer, const std::string& name, std::size_t index) {
-  Channel channel{name, {}};
-  channel.values.reserve(film.pixels().size());
-  for (std::uint32_t y = 0; y < film.height(); ++y) {
-    for (std::uint32_t x = 0; x < film.width(); ++x) {
-      channel.values.push_back(static_cast<float>(valueOf(PixelSums(film, x, y), layer, index)));
-    }
-  }
-  return channel;
-}
-
 // Adds all channels of a matte at once, since they use the same ranks of each pixel.
 void addMatte(Image& image, const Film& film, MatteKind kind) {
   const std::size_t first = image.channels.size();
@@ -135,13 +124,25 @@ std::span<const std::string> layerChannelNames(Layer layer) {
   return allChannelNames()[static_cast<std::size_t>(layer)];
 }
 
+std::vector<float> layerChannelValues(const Film& film, Layer layer, std::size_t channel) {
+  std::vector<float> values;
+  values.reserve(film.pixels().size());
+  for (std::uint32_t y = 0; y < film.height(); ++y) {
+    for (std::uint32_t x = 0; x < film.width(); ++x) {
+      values.push_back(static_cast<float>(valueOf(PixelSums(film, x, y), layer, channel)));
+    }
+  }
+  return values;
+}
+
 void addLayers(Image& image, const Film& film) {
   for (std::size_t i = 0; i < allChannelNames().size(); ++i) {
     const auto layer = static_cast<Layer>(i);
     if (!film.layers().has(layer)) continue;
     if (layer == Layer::cryptoObject || layer == Layer::cryptoMaterial) continue;
     const std::span<const std::string> names = layerChannelNames(layer);
-    for (std::size_t c = 0; c < names.size(); ++c) image.channels.push_back(channelOf(film, layer, names[c], c));
+    for (std::size_t c = 0; c < names.size(); ++c)
+      image.channels.push_back({names[c], layerChannelValues(film, layer, c)});
   }
   for (const MatteKind kind : kMatteKinds) {
     if (hasMatte(film.layers(), kind)) addMatte(image, film, kind);

@@ -74,6 +74,16 @@ std::uint32_t MatteIds::of(image::MatteKind kind, std::uint32_t primitive) const
   return objects_[static_cast<std::size_t>(std::max<std::ptrdiff_t>(next, 1) - 1)];
 }
 
+std::map<std::uint32_t, std::string> matteNamesById(const Scene& scene, image::MatteKind kind) {
+  std::map<std::uint32_t, std::string> names;
+  for (std::size_t i = 0; i < countOf(scene, kind); ++i) {
+    std::string name = nameOf(scene, kind, i);
+    const std::uint32_t id = image::matteId(name);
+    names.try_emplace(id, std::move(name));
+  }
+  return names;
+}
+
 image::MatteNames matteNamesOf(const Scene& scene, const image::Film& film) {
   return {namesOf(scene, film, image::MatteKind::object), namesOf(scene, film, image::MatteKind::material)};
 }

@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ class MatteIds {
   const Scene& scene_;
   std::vector<std::uint32_t> objects_, materials_;
 };
+
+/// Returns the names of all objects or materials of a scene by their ids.
+std::map<std::uint32_t, std::string> matteNamesById(const Scene& scene, image::MatteKind kind);
 
 /// Returns the names of all ids that the pixels of a film have.
 image::MatteNames matteNamesOf(const Scene& scene, const image::Film& film);

@@ -8,7 +8,7 @@
 #include "host/core/errors.h"
 #include "host/core/progress.h"
 #include "host/explain/explanation.h"
-#include "host/image/false_colour.h"
+#include "host/scene/object_names.h"
 #include "host/view/camera_text.h"
 #include "host/view/worst_sample.h"
 
@@ -17,6 +17,12 @@ namespace {
 
 constexpr double kFirstSeconds = 0.05;   // for which requests do not interrupt the first picture of a view
 constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
+
+std::shared_ptr<const std::map<std::uint32_t, std::string>> matteNamesOf(const scene::Scene& scene, ShownLayer layer) {
+  const auto kind = layer ? matteKindOf(*layer) : std::nullopt;
+  if (!kind) return nullptr;
+  return std::make_shared<const std::map<std::uint32_t, std::string>>(scene::matteNamesById(scene, *kind));
+}
 
 }  // namespace
 
@@ -88,6 +94,8 @@ void Engine::adopt(Sessions sessions) {
   next_.size = sessions_.settings.image.size;
   next_.sampleCount = sessions_.settings.image.sampleCount;
   next_.explanation.clear();
+  next_.layerRange = {};
+  next_.matteNames = matteNamesOf(*next_.scene, choice_.layer);
   for (auto& picture : pictures_) picture = std::make_shared<Picture>(next_.size);
   next_.sides = {};
   want();
@@ -198,40 +206,9 @@ void Engine::finish(const Step& step, double seconds) {
     show(Side::reference);
   }
   if (schedule_->isLevel()) compareSides();
-  measureFalseColours();
+  measureRanges();
   publish();
   finishSave();
-}
-
-// Copies the film of a side to its picture.
-void Engine::show(Side side) {
-  SideView& view = next_.sides[indexOf(side)];
-  render::Session& session = *sessions_.session(side);
-  view.isOnDevice = side == Side::device && hooks_.showOnDevice(session, next_.size);
-  view.scale = std::max(schedule_->scale(side), 1u);
-  view.samples = schedule_->samples(side);
-  if (view.isOnDevice) {
-    view.picture = nullptr;
-    return;
-  }
-  auto picture = std::make_shared<Picture>(*pictures_[indexOf(side)]);
-  view::show(session.film(), *picture);
-  pictures_[indexOf(side)] = picture;
-  view.picture = std::move(picture);
-}
-
-void Engine::measureFalseColours() {
-  const bool isDepth = choice_.integrator == render::Integrator::depth;
-  if (!isDepth && choice_.integrator != render::Integrator::cost) return;
-  const Side side = wants(mode_, Side::device) && sessions_.device ? Side::device : Side::reference;
-  const image::ToneMap toneMap = isDepth ? image::ToneMap::depth : image::ToneMap::heat;
-  next_.falseColourScale = falseColourScale(toImage(sessions_.session(side)->film()), toneMap);
-}
-
-void Engine::compareSides() {
-  Picture device(next_.size);
-  view::show(sessions_.device->film(), device);
-  next_.difference = compare(device, *pictures_[indexOf(Side::reference)]);
 }
 
 void Engine::explainNow(render::PixelSample sample, bool searches) {

@@ -43,7 +43,8 @@ class Engine {
   std::optional<Step> nextStep() const;
   void apply(const Requests& requests);
   void load(const Choice& choice, bool reads);
-  void measureFalseColours();
+  void measureRanges();
+  void fill(Picture& picture, const image::Film& film) const;
   void adopt(Sessions sessions);
   void startDevice();
   void adoptDevice();

@@ -7,6 +7,18 @@
 
 namespace candela::view {
 
+Choice withLayer(Choice choice, ShownLayer layer) {
+  choice.layer = layer;
+  if (layer) choice.integrator = render::Integrator::path;
+  return choice;
+}
+
+Choice withIntegrator(Choice choice, render::Integrator integrator) {
+  choice.integrator = integrator;
+  if (integrator != render::Integrator::path) choice.layer.reset();
+  return choice;
+}
+
 Mode shownMode(const EngineView& view, Mode mode) {
   const bool hasReferenceAlone = view.sides[0].scale == 0 && view.sides[1].scale > 0;
   return hasReferenceAlone ? Mode::reference : mode;

@@ -2,12 +2,14 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "host/render/renderer.h"
 #include "host/view/picture.h"
+#include "host/view/shown_layer.h"
 #include "host/view/view_state.h"
 
 namespace candela::view {
@@ -16,10 +18,16 @@ namespace candela::view {
 struct Choice {
   std::string device;  ///< as --device; kReferenceDevice: only the reference
   render::Integrator integrator = render::Integrator::path;
+  ShownLayer layer{};  ///< only with Integrator::path, because the others have no layers
 
   bool usesReference() const { return device == render::kReferenceDevice; }
   bool operator==(const Choice&) const = default;
 };
+
+/// Returns the choice with a layer, or the picture. A layer selects Integrator::path.
+Choice withLayer(Choice choice, ShownLayer layer);
+/// Returns the choice with an integrator. All but Integrator::path show the picture.
+Choice withIntegrator(Choice choice, render::Integrator integrator);
 
 /// The state and the picture of one side.
 struct SideView {
@@ -42,6 +50,9 @@ struct EngineView {
   std::array<SideView, kSideCount> sides;
   std::uint64_t viewSerial = 0;  ///< number of setCamera() that the pictures show
   std::optional<PictureDifference> difference;
+  LayerRange layerRange;  ///< of the layers `depth` and `position`
+  /// Names of the ids of a matte; null while another layer is shown.
+  std::shared_ptr<const std::map<std::uint32_t, std::string>> matteNames;
   float falseColourScale = 1;                 ///< image::falseColourScale() of the integrators `depth` and `cost`
   std::string message;                        ///< about the last save, reload or failure; empty: none
   bool isError = false;                       ///< of `message`

@@ -142,6 +142,8 @@ Action Navigation::press(Key key, Modifiers modifiers) {
       return Action::reload;
     case Key::i:
       return Action::nextIntegrator;
+    case Key::v:
+      return modifiers.shift ? Action::previousLayer : Action::nextLayer;
     case Key::n:
       return Action::worstPixel;
     case Key::escape:

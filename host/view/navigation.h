@@ -24,6 +24,7 @@ enum class Key {
   r,
   s,
   t,
+  v,
   w,
   one,
   two,
@@ -51,6 +52,8 @@ enum class Action {
   reload,
   copyCamera,
   nextIntegrator,
+  nextLayer,
+  previousLayer,
   worstPixel,
   quit
 };

@@ -9,28 +9,36 @@ namespace {
 
 double luminanceOf(const glm::vec4& pixel) { return 0.2126 * pixel.x + 0.7152 * pixel.y + 0.0722 * pixel.z; }
 
-bool isEqual(const glm::vec4& a, const glm::vec4& b) {
+float maxMagnitude(const glm::vec4& pixel) {
+  return std::max({std::abs(pixel.x), std::abs(pixel.y), std::abs(pixel.z)});
+}
+
+// A channel of a vector may be close to 0, so that it is compared with the longest channel.
+bool isEqual(const glm::vec4& a, const glm::vec4& b, bool isLight) {
+  const float longest = std::max(maxMagnitude(a), maxMagnitude(b));
   for (int i = 0; i < 3; ++i) {
-    if (std::abs(double{a[i]} - b[i]) > PictureDifference::kEqual * std::max(std::abs(a[i]), std::abs(b[i])))
-      return false;
+    const float magnitude = isLight ? std::max(std::abs(a[i]), std::abs(b[i])) : longest;
+    if (std::abs(double{a[i]} - b[i]) > PictureDifference::kEqual * magnitude) return false;
   }
   return true;
+}
+
+double differenceOf(const glm::vec4& a, const glm::vec4& b, bool isLight) {
+  if (isLight) return luminanceOf(a) - luminanceOf(b);
+  double most = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double difference = double{a[i]} - b[i];
+    if (std::abs(difference) > std::abs(most)) most = difference;
+  }
+  return most;
 }
 
 }  // namespace
 
 void show(const image::Film& film, Picture& picture) {
-  const std::uint32_t scale = (picture.size.width + film.width() - 1) / film.width();
-  for (std::uint32_t y = 0; y < picture.size.height; ++y) {
-    const std::uint32_t filmY = static_cast<std::uint32_t>(std::uint64_t{y} * film.height() / picture.size.height);
-    for (std::uint32_t x = 0; x < picture.size.width; ++x) {
-      const std::uint32_t filmX = static_cast<std::uint32_t>(std::uint64_t{x} * film.width() / picture.size.width);
-      const std::uint32_t samples = film.at(filmX, filmY).sampleCount;
-      if (samples == 0) continue;
-      picture.pixels[std::size_t{y} * picture.size.width + x] = glm::vec4(glm::vec3(film.mean(filmX, filmY)),
-                                                                          scale == 1 ? 1.0 * samples : -1.0 * scale);
-    }
-  }
+  forEachShown(film, picture, [&](std::size_t pixel, std::uint32_t x, std::uint32_t y, float samples) {
+    picture.pixels[pixel] = glm::vec4(glm::vec3(film.mean(x, y)), samples);
+  });
 }
 
 PictureDifference compare(const Picture& a, const Picture& b) {
@@ -40,10 +48,12 @@ PictureDifference compare(const Picture& a, const Picture& b) {
     const glm::vec4& right = b.pixels[i];
     if (left.w <= 0 || left.w != right.w) continue;
     ++result.pixels;
-    result.meanA += luminanceOf(left);
-    result.meanB += luminanceOf(right);
-    if (!isEqual(left, right)) ++result.unequal;
-    const double difference = luminanceOf(left) - luminanceOf(right);
+    if (a.isLight) {
+      result.meanA += luminanceOf(left);
+      result.meanB += luminanceOf(right);
+    }
+    if (!isEqual(left, right, a.isLight)) ++result.unequal;
+    const double difference = differenceOf(left, right, a.isLight);
     if (std::abs(difference) <= std::abs(result.worstDifference)) continue;
     result.worstDifference = difference;
     result.worst = {i % a.size.width, i / a.size.width};

@@ -28,6 +28,7 @@ constexpr std::array kKeys{KeyPair{GLFW_KEY_A, Key::a},
                            KeyPair{GLFW_KEY_R, Key::r},
                            KeyPair{GLFW_KEY_S, Key::s},
                            KeyPair{GLFW_KEY_T, Key::t},
+                           KeyPair{GLFW_KEY_V, Key::v},
                            KeyPair{GLFW_KEY_W, Key::w},
                            KeyPair{GLFW_KEY_1, Key::one},
                            KeyPair{GLFW_KEY_2, Key::two},
@@ -61,25 +62,9 @@ void passKey(const EditingKey& key, bool isDown) {
 #endif
 }
 
-}  // namespace
+bool isSameInput(const Event& a, const Event& b) { return a.kind == b.kind && a.code == b.code; }
 
-view::Button buttonOf(int glfwButton) {
-  if (glfwButton == GLFW_MOUSE_BUTTON_RIGHT) return view::Button::right;
-  return glfwButton == GLFW_MOUSE_BUTTON_MIDDLE ? view::Button::middle : view::Button::left;
-}
-
-std::optional<view::Key> keyOf(int glfwKey) {
-  const auto found = std::ranges::find(kKeys, glfwKey, &KeyPair::glfw);
-  return found == kKeys.end() ? std::nullopt : std::optional(found->key);
-}
-
-void prepareKeys() {
-#if IMGUI_VERSION_NUM < 18700
-  for (const EditingKey& key : kEditingKeys) ImGui::GetIO().KeyMap[key.gui] = key.glfw;
-#endif
-}
-
-void passToGui(const Event& event) {
+void passNow(const Event& event) {
   ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
     case Event::Kind::move:
@@ -104,6 +89,42 @@ void passToGui(const Event& event) {
     case Event::Kind::leave:
       return;
   }
+}
+
+}  // namespace
+
+view::Button buttonOf(int glfwButton) {
+  if (glfwButton == GLFW_MOUSE_BUTTON_RIGHT) return view::Button::right;
+  return glfwButton == GLFW_MOUSE_BUTTON_MIDDLE ? view::Button::middle : view::Button::left;
+}
+
+std::optional<view::Key> keyOf(int glfwKey) {
+  const auto found = std::ranges::find(kKeys, glfwKey, &KeyPair::glfw);
+  return found == kKeys.end() ? std::nullopt : std::optional(found->key);
+}
+
+void prepareKeys() {
+#if IMGUI_VERSION_NUM < 18700
+  for (const EditingKey& key : kEditingKeys) ImGui::GetIO().KeyMap[key.gui] = key.glfw;
+#endif
+}
+
+void GuiInput::pass(const Event& event) {
+  const auto isSame = [&](const Event& other) { return isSameInput(other, event); };
+  if (event.isDown) {
+    std::erase_if(postponed_, isSame);
+    unseen_.push_back(event);
+  } else if (std::ranges::any_of(unseen_, isSame)) {
+    postponed_.push_back(event);
+    return;
+  }
+  passNow(event);
+}
+
+void GuiInput::finishFrame() {
+  unseen_.clear();
+  for (const Event& event : postponed_) passNow(event);
+  postponed_.clear();
 }
 
 }  // namespace candela::window

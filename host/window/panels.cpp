@@ -19,6 +19,7 @@ constexpr const char* kKeyHelp =
     "wheel: distance   Ctrl+wheel, Ctrl+drag: magnify\n"
     "W A S D Q E: fly, with Shift faster\n"
     "1 2 3 4: device, reference, split, difference\n"
+    "V, Shift+V: next, previous layer\n"
     "[ ]: exposure   T: tone map   , .: gain of difference\n"
     "click: path of a pixel   N: pixel that differs most\n"
     "R: first camera   C: copy camera   L: reload\n"
@@ -40,10 +41,17 @@ std::string sideText(const char* name, const view::SideView& side, const view::E
   return fmt::format("{}: {} of {} samples, {:.1f} s", name, side.samples, engine.sampleCount, side.seconds);
 }
 
-std::string valueText(const char* name, const glm::vec4& value) {
+// The values of a side at a pixel, and the number of samples. `onDevice` are those of a picture that is on the device.
+std::string valueText(const char* name, const view::EngineView& engine, const view::SideView& side,
+                      const glm::uvec2& pixel, const glm::vec4& onDevice) {
+  const glm::vec4 value = side.picture ? side.picture->at(pixel.x, pixel.y) : onDevice;
   if (value.w == 0) return fmt::format("{}: -", name);
   const std::string known = value.w > 0 ? fmt::format("{:.0f}", value.w) : fmt::format("1/{:.0f}", -value.w);
-  return fmt::format("{}: {:.4g} {:.4g} {:.4g} ({})", name, value.x, value.y, value.z, known);
+  const std::size_t index = std::size_t{pixel.y} * engine.size.width + pixel.x;
+  const bool hasIds = engine.matteNames && side.picture && index < side.picture->ids.size();
+  const std::string values = hasIds ? view::matteText(side.picture->ids[index], *engine.matteNames)
+                                    : view::valueText(engine.choice.layer, glm::vec3(value));
+  return fmt::format("{}: {} ({})", name, values, known);
 }
 
 // Returns the name of the device in use, or that it is being prepared.
@@ -66,13 +74,13 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
       const std::string selector = isReference ? render::kReferenceDevice : std::to_string(i);
       const std::string label = isReference ? "cpu: the reference alone" : fmt::format("{}: {}", i, input.devices[i]);
       if (ImGui::Selectable(label.c_str(), selector == engine.choice.device))
-        choice.choice = view::Choice{selector, engine.choice.integrator};
+        choice.choice = view::Choice{selector, engine.choice.integrator, engine.choice.layer};
     }
     ImGui::EndCombo();
   }
   int integrator = static_cast<int>(engine.choice.integrator);
   if (combo("integrator", kIntegrators, integrator)) {
-    choice.choice = view::Choice{engine.choice.device, static_cast<render::Integrator>(integrator)};
+    choice.choice = withIntegrator(engine.choice, static_cast<render::Integrator>(integrator));
   }
   text(sideText("device", engine.sides[0], engine));
   text(sideText("reference", engine.sides[1], engine));
@@ -81,10 +89,27 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
   text(fmt::format("input answered in {:.0f} ms", 1e3 * input.response));
 }
 
+void Panels::drawLayer(const PanelInput& input, PanelChoice& choice) {
+  const view::Choice& current = input.engine.choice;
+  const auto item = [&](view::ShownLayer layer) {
+    if (ImGui::Selectable(std::string(view::shownName(layer)).c_str(), layer == current.layer))
+      choice.choice = withLayer(current, layer);
+  };
+  if (ImGui::BeginCombo("layer", std::string(view::shownName(current.layer)).c_str())) {
+    item({});
+    for (const image::Layer layer : view::shownLayers()) item(layer);
+    ImGui::EndCombo();
+  }
+}
+
 void Panels::drawView(view::ViewState& state, const PanelInput& input, PanelChoice& choice) {
   int mode = static_cast<int>(state.mode);
   if (combo("show", kModes, mode)) choice.mode = static_cast<view::Mode>(mode);
   if (input.shownMode != state.mode) text("the reference, until the device is ready");
+  drawLayer(input, choice);
+  const view::ShownLayer layer = input.engine.choice.layer;
+  if (!view::isLight(layer))
+    text(view::keyText(layer, state.display, input.engine.layerRange, input.engine.sampleCount));
   ImGui::SliderFloat("exposure", &state.display.exposure, -10, 10, "%.2f stops");
   int toneMap = static_cast<int>(state.display.toneMap);
   if (combo("tone map", kToneMaps, toneMap)) state.display.toneMap = static_cast<image::ToneMap>(toneMap);
@@ -105,7 +130,8 @@ void Panels::drawDifference(view::ViewState& state, const PanelInput& input, Pan
   }
   const view::PictureDifference& difference = *input.engine.difference;
   const double mean = difference.meanB == 0 ? 0 : (difference.meanA - difference.meanB) / difference.meanB;
-  text(fmt::format("mean: device {:.6g}, {:+.2e} relative", difference.meanA, mean));
+  if (view::isLight(input.engine.choice.layer))
+    text(fmt::format("mean: device {:.6g}, {:+.2e} relative", difference.meanA, mean));
   text(fmt::format("{} of {} pixels differ by more than 1e-4", difference.unequal, difference.pixels));
   text(fmt::format("most: {:+.3g} at {},{}", difference.worstDifference, difference.worst.x, difference.worst.y));
   ImGui::SameLine();
@@ -115,10 +141,10 @@ void Panels::drawDifference(view::ViewState& state, const PanelInput& input, Pan
 void Panels::drawPixel(view::ViewState& state, const PanelInput& input, PanelChoice& choice) {
   if (const auto pixel = pixelAt(state, input.engine.size, state.pointer)) {
     text(fmt::format("pixel {},{}", pixel->x, pixel->y));
-    text(valueText("device", input.pointed.device));
-    text(valueText("reference", input.pointed.reference));
+    text(valueText("device", input.engine, input.engine.sides[0], *pixel, input.pointed.device));
+    text(valueText("reference", input.engine, input.engine.sides[1], *pixel, input.pointed.reference));
   } else {
-    text("pixel -\ndevice: -\nreference: -");
+    for (const char* line : {"pixel -", "device: -", "reference: -"}) text(line);  // as many lines as above
   }
   drawSave(input, choice);
 }

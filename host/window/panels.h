@@ -46,6 +46,7 @@ class Panels {
   void drawRender(const PanelInput& input, PanelChoice& choice);
   void drawView(view::ViewState& state, const PanelInput& input, PanelChoice& choice);
   void drawDifference(view::ViewState& state, const PanelInput& input, PanelChoice& choice);
+  void drawLayer(const PanelInput& input, PanelChoice& choice);
   void drawPixel(view::ViewState& state, const PanelInput& input, PanelChoice& choice);
   void drawPath(view::ViewState& state, const PanelInput& input, PanelChoice& choice);
   void drawSave(const PanelInput& input, PanelChoice& choice);

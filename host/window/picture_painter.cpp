@@ -23,16 +23,20 @@ glm::uvec2 pointedPixel(const PaintedView& view) {
 
 gpu::WindowConstants constantsOf(const PaintedView& view, const render::Extent& window, bool isBlueFirst) {
   const view::ViewState& state = view.state;
-  return {.windowSize = {window.width, window.height},
+  return {.valueOffset = glm::vec4(view.colours.offset, 0),
+          .valueGain = glm::vec4(view.colours.gain, 0),
+          .windowSize = {window.width, window.height},
           .pictureSize = {view.picture.width, view.picture.height},
           .origin = glm::vec2(state.placement.origin),
+          .pointer = pointedPixel(view),
           .zoom = static_cast<float>(state.placement.zoom),
           .divider = static_cast<float>(state.divider * view.picture.width),
-          .gain = std::exp2(state.display.exposure),
-          .falseColourScale = state.display.scale,
+          .falseColourScale = view.colours.scale,
           .differenceGain = std::exp2(static_cast<float>(state.differenceStops)),
           .isBlueFirst = isBlueFirst ? 1u : 0u,
-          .pointer = pointedPixel(view)};
+          .repeats = view.colours.repeats ? 1u : 0u,
+          .hidesZero = view.colours.hidesZero ? 1u : 0u,
+          .isLight = view.isLight ? 1u : 0u};
 }
 
 }  // namespace
@@ -78,14 +82,13 @@ void PicturePainter::prepare(const render::Extent& window, const PaintedView& vi
   const vulkan::Buffer& device = view.onDevice ? *view.onDevice : *uploads_[0];
   if (!resized && !replaced && shown_ && shown_->impl() == device.impl()) return;
   shown_ = device;
-  bindings_.emplace(pipeline({view.mode, view.state.display.toneMap}),
+  bindings_.emplace(pipeline({view.mode, view.colours.toneMap}),
                     std::vector<const vulkan::Buffer*>{&*shown_, &*uploads_[1], &*pixels_, &pointed_});
 }
 
 void PicturePainter::record(vulkan::CommandRecorder& recorder, const PaintedView& view, bool isBlueFirst) {
   const gpu::WindowConstants constants = constantsOf(view, window_, isBlueFirst);
-  recorder.dispatch(pipeline({view.mode, view.state.display.toneMap}), *bindings_,
-                    std::as_bytes(std::span(&constants, 1)),
+  recorder.dispatch(pipeline({view.mode, view.colours.toneMap}), *bindings_, std::as_bytes(std::span(&constants, 1)),
                     {divideUp(window_.width, kGroupSide), divideUp(window_.height, kGroupSide), 1});
 }
 

@@ -22,6 +22,8 @@ struct PaintedView {
   std::array<std::shared_ptr<const view::Picture>, view::kSideCount> pictures;  ///< null: see `onDevice`
   std::optional<vulkan::Buffer> onDevice;  ///< device::FilmMeans::buffer(), of the device's side
   view::Mode mode;
+  view::LayerColours colours;
+  bool isLight = true;  ///< view::Picture::isLight
   const view::ViewState& state;
 };
 

@@ -9,7 +9,6 @@
 #include "host/core/errors.h"
 #include "host/core/progress.h"
 #include "host/vulkan/unfinished_work.h"
-#include "host/window/key_map.h"
 
 namespace candela::window {
 namespace {
@@ -92,6 +91,7 @@ bool Screen::draw(const PaintedView& view, const std::function<void(const gpu::P
   beginPanels();
   panels(picturePainter_->pointed());
   ImGui::Render();
+  guiInput_.finishFrame();
   return presenter_->draw([&](const Presenter::Frame& frame) {
     vulkan::CommandRecorder recorder(frame.recorder);
     picturePainter_->record(recorder, view, presenter_->isBlueFirst());

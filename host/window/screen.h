@@ -6,6 +6,7 @@
 
 #include "host/window/device_picture.h"
 #include "host/window/gui_painter.h"
+#include "host/window/key_map.h"
 #include "host/window/picture_painter.h"
 #include "host/window/presenter.h"
 #include "host/window/viewer.h"
@@ -33,6 +34,7 @@ class Screen {
   Screen& operator=(const Screen&) = delete;
 
   DesktopWindow& window() { return window_; }
+  GuiInput& guiInput() { return guiInput_; }
   DevicePicture& devicePicture() { return *devicePicture_; }
   const DevicePicture& devicePicture() const { return *devicePicture_; }
   render::Extent size() const { return presenter_->size(); }
@@ -54,6 +56,7 @@ class Screen {
   DesktopWindow window_;
   std::unique_ptr<Presenter> presenter_;
   GuiContext gui_;
+  GuiInput guiInput_;
   std::unique_ptr<PicturePainter> picturePainter_;
   std::unique_ptr<GuiPainter> guiPainter_;
   std::unique_ptr<DevicePicture> devicePicture_;

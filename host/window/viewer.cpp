@@ -48,6 +48,7 @@ class Viewer {
   void save(const std::string& file);
   void sendCamera();
   void chooseNextIntegrator();
+  void choose(const view::Choice& choice);
   PaintedView painted() const;
   void draw();
   void measure();
@@ -59,6 +60,7 @@ class Viewer {
   view::ViewState state_;
   view::Engine engine_;
   view::EngineView shown_;
+  view::Choice choice_;  ///< the last one, which the engine may not have adopted yet
   view::CameraControl camera_;
   view::Navigation navigation_;
   view::FileWatch file_;
@@ -89,6 +91,7 @@ Viewer::Viewer(const ViewerOptions& options)
       state_{.mode = options.mode, .display = options.display},
       engine_(hooks(), options.choice, options.mode),
       shown_(engine_.view()),
+      choice_(options.choice),
       camera_(*shown_.scene->camera),
       navigation_(state_, camera_),
       file_(options.scene),
@@ -114,7 +117,7 @@ view::EngineHooks Viewer::hooks() {
 
 void Viewer::handle(const Event& event) {
   eventTime_ = monotonicSeconds();
-  passToGui(event);
+  screen_.guiInput().pass(event);
   const ImGuiIO& io = ImGui::GetIO();
   switch (event.kind) {
     case Event::Kind::move:
@@ -159,6 +162,9 @@ void Viewer::apply(view::Action action) {
       return screen_.window().copy(view::cameraText(camera_.camera()));
     case view::Action::nextIntegrator:
       return chooseNextIntegrator();
+    case view::Action::nextLayer:
+    case view::Action::previousLayer:
+      return choose(withLayer(choice_, view::nextLayer(choice_.layer, action == view::Action::previousLayer)));
     case view::Action::quit:
       isClosed_ = true;
       return;
@@ -168,7 +174,7 @@ void Viewer::apply(view::Action action) {
 }
 
 void Viewer::apply(const PanelChoice& choice) {
-  if (choice.choice) engine_.setChoice(*choice.choice);
+  if (choice.choice) choose(*choice.choice);
   if (choice.mode) {
     state_.mode = *choice.mode;
     apply(view::Action::modeChanged);
@@ -201,8 +207,13 @@ void Viewer::showWorst() {
 }
 
 void Viewer::chooseNextIntegrator() {
-  const int next = (static_cast<int>(shown_.choice.integrator) + 1) % (static_cast<int>(render::Integrator::cost) + 1);
-  engine_.setChoice({shown_.choice.device, static_cast<render::Integrator>(next)});
+  const int next = (static_cast<int>(choice_.integrator) + 1) % (static_cast<int>(render::Integrator::cost) + 1);
+  choose(withIntegrator(choice_, static_cast<render::Integrator>(next)));
+}
+
+void Viewer::choose(const view::Choice& choice) {
+  choice_ = choice;
+  engine_.setChoice(choice);
 }
 
 // The time since the last frame, but none of the time in which the window waited for events.
@@ -252,6 +263,8 @@ PaintedView Viewer::painted() const {
           .pictures = {device.picture, shown_.sides[1].picture},
           .onDevice = device.isOnDevice ? screen_.devicePicture().buffer(pictureSize_) : std::nullopt,
           .mode = shownMode(shown_, state_.mode),
+          .colours = view::coloursOf(shown_.choice.layer, state_.display, shown_.layerRange, shown_.sampleCount),
+          .isLight = view::isLight(shown_.choice.layer),
           .state = state_};
 }
 
@@ -300,6 +313,7 @@ ViewerReport Viewer::run() {
       framesToDraw_ = 2;
     }
     if (!events.empty() || shown_.serial != serial) framesToDraw_ = 2;
+    if (shown_.isError && shown_.serial != serial) choice_ = shown_.choice;  // a choice may have been refused
     if (framesToDraw_ == 0) continue;
     --framesToDraw_;
     draw();

@@ -28,16 +28,20 @@ CANDELA_CONST uint kSpecWindowToneMap = 1u;
 
 // Push constants. Positions are in pixels: pixel p of the picture is at origin + zoom p in the window.
 struct WindowConstants {
+  vec4 valueOffset;  // a value v is shown as (v - valueOffset) * valueGain, channel by channel; w is unused
+  vec4 valueGain;
   uvec2 windowSize;
   uvec2 pictureSize;
   vec2 origin;
+  uvec2 pointer;  // pixel of the picture whose values are stored; kNoPixel: none
   float zoom;
   float divider;           // in pixels of the picture
-  float gain;              // 2^exposure
   float falseColourScale;  // value of v = 1: image::DisplayTransform
   float differenceGain;
   uint isBlueFirst;  // bytes of a pixel in the window: blue, green, red instead of red, green, blue
-  uvec2 pointer;     // pixel of the picture whose values are stored; kNoPixel: none
+  uint repeats;      // the fractional part of the value is shown
+  uint hidesZero;    // the value 0 is black
+  uint isLight;      // differences are those of luminances, otherwise of the channel that differs most
 };
 
 // Values of the picture at WindowConstants::pointer: red, green, blue, samples.

@@ -137,6 +137,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--depth", "N", "all", Command::boxes},
       {"--spp", "N", "4096", Command::view},
       {"--show", "device|reference|split|difference", "device"},
+      {"--layer", "LAYER", "picture"},
       {"--stats", "", ""},
       {"--json", "FILE", ""},
       {"--strict", "", ""},

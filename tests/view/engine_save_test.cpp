@@ -70,6 +70,20 @@ TEST_CASE("the film that is saved has the samples that are shown") {
         "a.exr: 4 samples per pixel");
 }
 
+TEST_CASE("the film that is saved has the layer that is shown") {
+  std::promise<std::pair<image::LayerSet, Choice>> saved;
+  EngineHooks hooks = testHooks();
+  hooks.save = [&](const auto&, const Sessions&, const scene::Camera&, const image::Film& film, const auto&,
+                   const Choice& choice, const auto&) {
+    saved.set_value({film.layers(), choice});
+  };
+  const Choice choice{"0", render::Integrator::path, image::Layer::position};
+  Engine engine(hooks, choice, Mode::device);
+  waitFor(engine, finished(Side::device));
+  engine.save("a.exr", {});
+  CHECK(saved.get_future().get() == std::pair(neededBy(image::Layer::position), choice));
+}
+
 TEST_CASE("a picture that is saved right after a movement of the camera is that of the new view") {
   std::promise<Saved> promise;
   EngineHooks hooks = testHooks();

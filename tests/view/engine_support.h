@@ -24,6 +24,7 @@ inline render::RenderSettings settingsOf(const Choice& choice, std::uint32_t see
   settings.image.sampleCount = kSamples;
   settings.image.maxDepth = 4;
   settings.image.integrator = choice.integrator;
+  settings.image.layers = neededBy(choice.layer);
   settings.image.seed = seed;
   settings.execution.threads = 1;
   return settings;

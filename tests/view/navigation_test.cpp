@@ -57,6 +57,11 @@ TEST_CASE_METHOD(Fixture, "a point of the picture stays below the pointer of a p
   CHECK(at().y == 0);
 }
 
+TEST_CASE_METHOD(Fixture, "V chooses the next layer, with Shift the previous one") {
+  CHECK(navigation.press(Key::v, {}) == Action::nextLayer);
+  CHECK(navigation.press(Key::v, {.shift = true, .control = false}) == Action::previousLayer);
+}
+
 TEST_CASE_METHOD(Fixture, "a click inspects the pixel below the pointer") {
   navigation.press(Button::left, {}, kPicture);
   CHECK(navigation.release(Button::left, kPicture) == Action::inspect);

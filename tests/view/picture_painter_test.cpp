@@ -59,6 +59,8 @@ PaintedView viewOf(const view::ViewState& state, Mode mode, std::shared_ptr<cons
           .pictures = {std::move(device), std::move(reference)},
           .onDevice = std::nullopt,
           .mode = mode,
+          .colours = view::coloursOf({}, state.display, {}, 1),
+          .isLight = true,
           .state = state};
 }
 
@@ -94,6 +96,46 @@ TEST_CASE("the window's pixels are those of files, within 1/255, with every disp
       CHECK(most <= 1);
     }
   }
+}
+
+TEST_CASE("the colours of layers are those of files, within 1/255") {
+  auto picture = uniformPicture({0, 0, 0, 1});
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> value(-3, 3);
+  for (glm::vec4& pixel : picture->pixels) pixel = {value(random), value(random), value(random), 1};
+  picture->pixels[5] = {0, 0, 0, 1};
+  Canvas canvas(kPicture);
+  const view::ViewState state;
+  const view::LayerRange range{{-3, -2, -1}, {3, 2, 1}, 1.5f};
+  for (const image::Layer layer : view::shownLayers()) {
+    CAPTURE(view::shownName(layer));
+    PaintedView view = viewOf(state, Mode::device, picture);
+    view.colours = view::coloursOf(layer, state.display, range, 2);
+    canvas.paint(view);
+    int most = 0;
+    for (std::uint32_t y = 0; y < kPicture.height; ++y) {
+      for (std::uint32_t x = 0; x < kPicture.width; ++x) {
+        most = std::max(most, distance(canvas.at(x, y), toDisplay(glm::vec3(picture->at(x, y)), view.colours)));
+      }
+    }
+    CHECK(most <= 1);
+  }
+}
+
+TEST_CASE("values that are not light are compared by the channel that differs most") {
+  Canvas canvas(kPicture);
+  const view::ViewState state;
+  const auto paint = [&](const glm::vec3& device, const glm::vec3& reference) {
+    PaintedView view = viewOf(state, Mode::difference, uniformPicture({device, 4}), uniformPicture({reference, 4}));
+    view.isLight = false;
+    canvas.paint(view);
+    return canvas.at(9, 9);
+  };
+  // Their luminances are equal.
+  CHECK(paint({0, 1, 0}, {0.7152f / 0.2126f, 0, 0}) == glm::ivec3(38, 128, 255));
+  CHECK(paint({-0.5f, 0.5f, 0}, {-0.5f, -0.5f, 0}) == glm::ivec3(255, 140, 26));
+  const glm::ivec3 equal = paint({-0.5f, 0.5f, 0}, {-0.5f, 0.5f, 0});
+  CHECK(equal.x == equal.z);
 }
 
 TEST_CASE("the picture is placed and magnified, and the order of its bytes is that of the window") {
