@@ -7,7 +7,8 @@
 Without --sweep: ten scenes of the project in turn. With it, once each: every kind of `candela generate` at sizes up to
 some ten thousand primitives (family generated) and the scenes of tests/scene/spd (spd), by both integrators; rooms with a
 mirror ball, 10^3 to 10^6 from the origin, whose light is free or touches a wall, a corner or the ball (translated), by
-both integrators; and the glTF scenes of `candela generate` (gltf). Exit code: 0 if the number of
+both integrators; and the glTF scenes of `candela generate` (gltf). The family large, which takes minutes, must be named: every
+kind at a size of up to a million primitives, by both integrators. Exit code: 0 if the number of
 alarms is one that the level explains (binomial, probability above 0.001), 1 otherwise, 2 if a run fails.
 """
 import argparse
@@ -28,7 +29,10 @@ SCENES = ["balls", "cornell", "depth_of_field", "lamp_over_plane", "mirror", "mi
 KINDS = {"balls": (1, 2, 3, 4), "mount": (1, 3, 6), "tetra": (1, 3, 6), "rings": (1, 3, 7), "gears": (1, 2, 4),
          "tree": (1, 4, 8, 11), "jacks": (1, 2, 3), "lattice": (1, 4, 12), "shells": (1, 3, 5), "sombrero": (1, 2),
          "teapot": (1, 2, 6), "terrain": (2, 20, 70), "sphere": (1, 10, 40), "cornell": (1, 10, 29)}
-FAMILIES = ("spd", "generated", "translated", "gltf")
+LARGE_SIZES = {"balls": 6, "mount": 9, "tetra": 9, "rings": 30, "gears": 12, "tree": 16, "jacks": 6, "lattice": 50, "shells": 12,
+               "sombrero": 4, "teapot": 50, "terrain": 700, "sphere": 300, "cornell": 60}
+DEFAULT_FAMILIES = ("spd", "generated", "translated", "gltf")
+FAMILIES = (*DEFAULT_FAMILIES, "large")
 GLTF_KINDS = ("material-table", "material-furnace", "brushed-table", "brilliants", "still-life")
 DISTANCES = (1e3, 1e4, 1e5, 1e6)
 LIGHTS = {"free": (1, -1, 2), "wall": (0, -4, 1), "corner": (4, 4, 4), "ball": (0.54, 0, 0.72)}
@@ -106,6 +110,8 @@ def family_scenes(options, family, folder):
     if family == "generated":
         return [generate(options, kind, ["--size", str(size)], folder / f"{kind}_{size}.nff")
                 for kind, sizes in KINDS.items() for size in sizes]
+    if family == "large":
+        return [generate(options, kind, ["--size", str(size)], folder / f"{kind}_{size}.nff") for kind, size in LARGE_SIZES.items()]
     if family == "gltf":
         return [generate(options, kind, [], folder / f"{kind}.gltf") for kind in GLTF_KINDS]
     scenes = []
@@ -117,7 +123,7 @@ def family_scenes(options, family, folder):
 
 def sweep_runs(options, folder):
     seeds = itertools.count(options.first_seed)
-    return [Run(scene, integrator, next(seeds)) for family in options.sweep or FAMILIES
+    return [Run(scene, integrator, next(seeds)) for family in options.sweep or DEFAULT_FAMILIES
             for scene in family_scenes(options, family, folder)
             for integrator in (("path",) if family == "gltf" else ("path", "whitted"))]
 
@@ -151,7 +157,7 @@ def main():
     parser.add_argument("--first-seed", type=int, default=1)
     parser.add_argument("--time-limit", help="of each verdict, as verify has it")
     parser.add_argument("--jobs", type=int, default=1)
-    parser.add_argument("--sweep", nargs="*", choices=FAMILIES, metavar="FAMILY", help="families of scenes; none: all")
+    parser.add_argument("--sweep", nargs="*", choices=FAMILIES, metavar="FAMILY", help="families of scenes; none: all but large")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
         return execute(options, sweep_runs(options, Path(folder)) if options.sweep is not None else seeded_runs(options))
