@@ -4,11 +4,12 @@
     /usr/bin/python3 docs/gallery/make.py [--program build/release/candela] [--only NAME] [--scale S]
 
 Each picture is one scene and one command, which the page shows with the time, the device and the noise, before and after
-denoising. --scale S multiplies the number of samples, for drafts. It needs NumPy and
-python3-openimageio.
+denoising. The noise is measured with a second render of another seed, which is not shown. --scale S multiplies the
+number of samples, for drafts. It needs NumPy and python3-openimageio.
 """
 import argparse
 import json
+import resource
 import shlex
 import subprocess
 import tempfile
@@ -39,7 +40,7 @@ class Picture:
 PICTURES_OF_PAGE = [
     Picture("still_life", "A still life in the afternoon",
             "Metal, coat, glass and textures under a computed sky, which is sampled as a light.",
-            "still-life", 64, options=["--env", "sun:18,215,3"]),
+            "still-life", 256, options=["--env", "sun:18,215,3"]),
     Picture("marbles", "Marbles through a wide lens",
             "The thin lens blurs everything that is not at the distance of the large marbles; glass focuses both lights on the floor.",
             "docs/gallery/marbles.p3f", 96, size="480x300"),
@@ -86,7 +87,7 @@ The camera circles around the marbles, once in 3 s. Slurm renders the 36 frames 
     farm/slurm/candela-render --job turntable/job --frames turntable/frames.txt --shards 1
     img2webp -loop 0 -d 83 -lossy -q 75 turntable/*.png -o docs/images/gallery/turntable.webp
 
-127 s of rendering on llvmpipe (LLVM 15.0.6, 256 bits) beside other programs, 64 samples per pixel; noise 3.9 to 6.2 %. Frames are not denoised.
+127 s of rendering on llvmpipe (LLVM 15.0.6, 256 bits) beside other programs, 64 samples per pixel. Frames are not denoised.
 """
 
 
@@ -114,12 +115,40 @@ def channels_of(file, names):
     return numpy.stack([pixels[..., listed.index(name)] for name in names], axis=-1)
 
 
-def noise_of(file, samples):
-    """Returns the median standard error of a pixel's luminance, relative to it, over the pixels whose samples differ."""
-    red, green, blue, variance = numpy.moveaxis(channels_of(file, ["R", "G", "B", "variance.Y"]), -1, 0)
-    luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue
-    noisy = variance > (0.01 * luminance) ** 2  # a constant background has the noise of rounding
-    return float(numpy.median(numpy.sqrt(variance[noisy] / samples) / luminance[noisy]))
+def luminance_of(file):
+    return channels_of(file, ["R", "G", "B"]) @ numpy.array([0.2126, 0.7152, 0.0722])
+
+
+def noisy_pixels(file):
+    """Returns a mask of the pixels whose samples differ. A constant background has the noise of rounding."""
+    return channels_of(file, ["variance.Y"])[..., 0] > (0.01 * luminance_of(file)) ** 2
+
+
+def noise_between(files, noisy):
+    """Returns the median standard deviation of a pixel's luminance, relative to it, from two pictures with different seeds."""
+    a, b = (luminance_of(file)[noisy] for file in files)
+    mean = (a + b) / 2
+    # The median magnitude of a normal distribution is 0.6745 times its standard deviation.
+    return float(numpy.median(abs(a - b)[mean > 0] / mean[mean > 0])) / (numpy.sqrt(2) * 0.6745)
+
+
+def processor_seconds():
+    """Returns the processor time of the commands so far."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def noise_of(program, words, film, linear, folder):
+    """Returns the noise of a picture and of the denoised picture, which a second render with another seed shows."""
+    other, other_linear = Path(folder) / "other.film.exr", Path(folder) / "other.exr"
+    run([program, *words, "--seed", "1", "--aov", "moments", "--checkpoint", str(other), "-o", str(other_linear), "-q"])
+    denoised = []
+    for each in (film, other):
+        denoised.append(each.with_suffix(".denoised.exr"))
+        run([program, "denoise", str(each), "-o", str(denoised[-1]), "-q"])
+    other.unlink()
+    noisy = noisy_pixels(linear)
+    return noise_between([linear, other_linear], noisy), noise_between(denoised, noisy)
 
 
 def render(picture, program, scale, folder):
@@ -133,8 +162,10 @@ def render(picture, program, scale, folder):
     linear, report = Path(folder) / f"{picture.name}.exr", Path(folder) / f"{picture.name}.json"
     words = command_of(picture, scene, samples)
     film = Path(folder) / f"{picture.name}.film.exr"
+    start = processor_seconds()
     run([program, *words, "--aov", "moments", "--checkpoint", str(film), "-o", str(PICTURES / f"{picture.name}.png"), "-o",
          str(linear), "--json", str(report), "-q"])
+    seconds = processor_seconds() - start
     figures = json.loads(report.read_text())
     images = f"![{picture.title}](images/gallery/{picture.name}.png)"
     run([program, "denoise", str(film), *picture.display, "-o", str(PICTURES / f"{picture.name}_denoised.png"), "-q"])
@@ -144,8 +175,9 @@ def render(picture, program, scale, folder):
     if is_generated(picture):
         lines.append(f"    candela generate {picture.scene} -o {shown}")
     lines += [f"    candela {shlex.join(command_of(picture, shown, samples))} -o {picture.name}.png", ""]
-    lines += [f"{figures['phaseSeconds']['trace']:.0f} s of rendering on {figures['device']}, {samples} samples per pixel; "
-              f"noise {100 * noise_of(linear, samples):.1f} %. On the right, the same samples with `--denoise`.", ""]
+    before, after = noise_of(program, words, film, linear, folder)
+    lines += [f"{seconds:.0f} s of processor time on {figures['device']}, {samples} samples per pixel; noise {100 * before:.1f} %. "
+              f"On the right, the same samples with `--denoise`: {100 * after:.1f} %.", ""]
     return lines
 
 
@@ -157,15 +189,17 @@ def main():
     options = parser.parse_args()
     PICTURES.mkdir(parents=True, exist_ok=True)
     lines = ["# Gallery", "",
-             "`docs/gallery/make.py` renders these pictures, except the animation at the end, and writes this page. The noise is the standard error of a pixel relative to its",
-             "luminance: the median over the pixels whose samples differ. Pictures on the right are denoised by `--denoise`: see [denoising](denoising.md).",
+             "`docs/gallery/make.py` renders these pictures, except the animation at the end, and writes this page. The noise is the standard deviation of a pixel's",
+             "luminance relative to it, from two renders with different seeds: the median over the pixels whose samples differ. Pictures on the right are denoised by",
+             "`--denoise`. Their noise does not include what denoising blurs; [denoising](denoising.md) states whole errors. Times are of two cores of an AMD EPYC, and",
+             "include reading the scene, building its acceleration structure and writing files.",
              ""]
     with tempfile.TemporaryDirectory() as folder:
         for picture in PICTURES_OF_PAGE:
             if options.only in (None, picture.name):
                 lines += render(picture, options.program, options.scale, folder)
     if not options.only:
-        PAGE.write_text("\n".join(lines) + TURNTABLE)
+        PAGE.write_text("\n".join([*lines, TURNTABLE]))
 
 
 if __name__ == "__main__":
