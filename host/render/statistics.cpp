@@ -15,10 +15,10 @@ void requireComplete(const RenderStatistics& statistics) {
                     "written; use --accel bvh",
                     statistics.truncated));
   }
-  throw InternalError(
-      fmt::format("the device stopped {} loops early, so the image would be wrong and is not written; a smaller "
-                  "--segments-per-dispatch or another --accel may help",
-                  statistics.truncated));
+  throw InternalError(fmt::format(
+      "the device stopped {} loops early, so the image would be wrong and is not written; a smaller "
+      "--segments-per-dispatch, another --accel or another device may help, and --device cpu has no such limit",
+      statistics.truncated));
 }
 
 }  // namespace candela::render
