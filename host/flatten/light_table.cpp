@@ -6,9 +6,9 @@
 #include <numbers>
 #include <optional>
 
-#include "host/flatten/emission_mean.h"
 #include "host/flatten/light_groups.h"
 #include "host/image/film.h"
+#include "host/scene/emission_mean.h"
 
 namespace candela::flatten {
 namespace {

@@ -1,4 +1,5 @@
 // KHR_lights_punctual, and the light that a file without any gets.
+#include "host/image/codecs.h"
 #include "tests/gltf/gltf_file.h"
 
 namespace candela::gltf {
@@ -10,6 +11,24 @@ GltfFile withLight(const json& light, const json& node) {
   json placed = node;
   placed["extensions"]["KHR_lights_punctual"]["light"] = 0;
   file.addNode(placed);
+  return file;
+}
+
+/// Two crossing triangles with a box of 4 x 4 x 3, beside a square metre at the height of 3 that emits by a texture of
+/// `texels`, at the centre of the first one where `u` is 0 and at that of the last one where it is 1.
+GltfFile roomWithTexturedLamp(const std::vector<std::uint8_t>& texels, double strength, float u) {
+  GltfFile file;
+  const image::Pixels8 pixels{static_cast<std::uint32_t>(texels.size() / 3), 1, texels};
+  file.root["images"] = {{{"bufferView", file.view(image::toPng(pixels))}, {"mimeType", "image/png"}}};
+  file.root["samplers"] = {{{"wrapS", 33071}}};
+  file.root["textures"] = {{{"source", 0}, {"sampler", 0}}};
+  file.root["materials"] = {{{"emissiveFactor", {1, 1, 1}}, {"emissiveTexture", {{"index", 0}}}}};
+  file.root["materials"][0]["extensions"]["KHR_materials_emissive_strength"]["emissiveStrength"] = strength;
+  const std::size_t walls = file.positions({0, 0, 0, 4, 0, 0, 4, 4, 3, 0, 0, 0, 0, 4, 0, 4, 4, 3});
+  const std::size_t lamp = file.positions({1, 1, 3, 2, 1, 3, 2, 2, 3, 1, 1, 3, 2, 2, 3, 1, 2, 3});
+  const std::size_t places = file.vectors(std::vector<float>{u, 0, u, 0, u, 0, u, 0, u, 0, u, 0}, "VEC2", 2);
+  file.addMesh({{"attributes", {{"POSITION", walls}}}});
+  file.addMesh({{"attributes", {{"POSITION", lamp}, {"TEXCOORD_0", places}}}, {"material", 0}});
   return file;
 }
 
@@ -136,6 +155,22 @@ TEST_CASE("emission that is too faint or too small to see the model by does not 
   // The radius is sqrt(1/2), so that the mean radiance is 0.005 strength / (2 pi): 0.02 at 25.13.
   CHECK(lightWith(25.1).starts_with("too faint in the file: a background of 0.25"));
   CHECK(lightWith(25.2) == "as in the file");
+}
+
+TEST_CASE("a room that a textured lamp lights gets no default light, and a model with a decorative display does") {
+  const auto lightOf = [](const std::vector<std::uint8_t>& texels, double strength, float u) {
+    return load(roomWithTexturedLamp(texels, strength, u)).facts.at(1).second;
+  };
+  // The squared diagonal is 41 and a fifth of the emission counts: 0.2 strength / (41 pi) is 0.02 at 12.88.
+  const std::vector<std::uint8_t> white{255, 255, 255};
+  CHECK(lightOf(white, 12.8, 0).starts_with("too faint in the file: a background of 0.25"));
+  CHECK(lightOf(white, 12.9, 0) == "as in the file");
+  CHECK(lightOf({0, 128, 0}, 15, 0).starts_with("too faint"));  // 128 is decoded to 0.216
+  CHECK(lightOf({0, 128, 0}, 59, 0).starts_with("too faint"));
+  CHECK(lightOf({0, 128, 0}, 60, 0) == "as in the file");
+  const std::vector<std::uint8_t> halfBlack{0, 0, 0, 255, 255, 255};
+  CHECK(lightOf(halfBlack, 15, 0).starts_with("none in the file"));
+  CHECK(lightOf(halfBlack, 15, 1) == "as in the file");
 }
 
 }  // namespace candela::gltf

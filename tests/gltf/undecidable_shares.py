@@ -12,6 +12,13 @@ import subprocess
 import sys
 from pathlib import Path
 
+HEADER = "| model | device | equal samples in % | undecidable samples in % | verdict |\n|---|---|---:|---:|---|"
+EQUAL = "equal light"
+
+
+def files_below(folder):
+    return sorted(file for end in ("*.gltf", "*.glb") for file in folder.rglob(end))
+
 
 def row(options, model):
     command = [options.candela, "verify", model, "--size", options.size, "--time-limit", options.time_limit, "-q", "--json", "-"]
@@ -20,7 +27,7 @@ def row(options, model):
         return f"| {model.stem} | | | | exit code {done.returncode}: {done.stderr.strip()} |"
     report = json.loads(done.stdout)
     paths = report["samePaths"]
-    verdict = {True: "equal light", False: "DIFFERENT"}.get(report["agrees"], "no verdict")
+    verdict = {True: EQUAL, False: "DIFFERENT"}.get(report["agrees"], "no verdict")
     return (f"| {model.stem} | {report['device']} | {100 * paths['equalFraction']:.2f} | {100 * paths['decisions']['undecidableFraction']:.2f}"
             f" | {verdict} |")
 
@@ -32,10 +39,10 @@ def main():
     parser.add_argument("--size", default="64x64", help="of the pictures, pixels")
     parser.add_argument("--time-limit", default="5s", help="of the second part of each test")
     options = parser.parse_args()
-    models = sorted(file for end in ("*.gltf", "*.glb") for file in options.folder.rglob(end))
+    models = files_below(options.folder)
     if not models:
         sys.exit(f"{options.folder}: no glTF files")
-    print("| model | device | equal samples in % | undecidable samples in % | verdict |\n|---|---|---:|---:|---|")
+    print(HEADER)
     for model in models:
         print(row(options, model), flush=True)
 

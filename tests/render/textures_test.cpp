@@ -234,7 +234,6 @@ TEST_CASE("textures scale the weights of transmission and coat, and vertex colou
   }
 }
 
-// SwiftShader needs more than 24 GB of memory to compile this kernel.
 TEST_CASE("textures of a sheen and of a thin film have the reference's pixels at equal seeds") {
   for (const std::uint32_t seed : {0u, 1u, 2u}) requireSamePixels(fabrics(), seed, render::SamplerKind::sobol, true);
 }

@@ -1,26 +1,26 @@
 // Averages the texture and the vertex colours of an emitter.
-#include "host/flatten/emission_mean.h"
+#include "host/scene/emission_mean.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "host/image/colour_transfer.h"
 
-namespace candela::flatten {
+namespace candela::scene {
 namespace {
 
 constexpr std::uint32_t kDivisions = 8;  // of each edge
 
-std::uint32_t texelAlong(double s, std::uint32_t count, scene::TextureWrap wrap) {
+std::uint32_t texelAlong(double s, std::uint32_t count, TextureWrap wrap) {
   constexpr double kLimit = 8388608;
   if (!(std::abs(s) < kLimit)) s = 0;
-  if (wrap == scene::TextureWrap::repeat) s -= std::floor(s);
-  if (wrap == scene::TextureWrap::mirroredRepeat) s = 1 - std::abs(s - 2 * std::floor(s / 2) - 1);
+  if (wrap == TextureWrap::repeat) s -= std::floor(s);
+  if (wrap == TextureWrap::mirroredRepeat) s = 1 - std::abs(s - 2 * std::floor(s / 2) - 1);
   const double texel = std::floor(s * count);
   return static_cast<std::uint32_t>(std::clamp(texel, 0.0, count - 1.0));
 }
 
-glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureReference& reference, const glm::dvec2& uv) {
+glm::dvec3 colourAt(const TextureImage& image, const TextureReference& reference, const glm::dvec2& uv) {
   const glm::dvec3 point(uv, 1);
   const std::uint32_t x = texelAlong(glm::dot(glm::dvec3(reference.rowS), point), image.width, reference.wrapS);
   const std::uint32_t y = texelAlong(glm::dot(glm::dvec3(reference.rowT), point), image.height, reference.wrapT);
@@ -37,11 +37,11 @@ glm::dvec3 colourAt(const scene::TextureImage& image, const scene::TextureRefere
 
 }  // namespace
 
-glm::dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& triangle) {
-  const auto& reference = textureOf(scene.materials[triangle.material], scene::TextureSlot::emission);
+glm::dvec3 meanEmissionTexel(const Scene& scene, const Primitive& triangle) {
+  const auto& reference = textureOf(scene.materials[triangle.material], TextureSlot::emission);
   const std::vector<glm::vec4>* const colours = coloursOfEmission(scene, triangle);
   if (!reference && !colours) return glm::dvec3(1);
-  const scene::Mesh& mesh = meshOf(scene, triangle);
+  const Mesh& mesh = meshOf(scene, triangle);
   std::array<glm::vec2, 3> uv{};
   if (reference && !mesh.texCoords[reference->texCoordSet].empty()) {
     uv = attributeOf(mesh, mesh.texCoords[reference->texCoordSet], triangle.index);
@@ -66,4 +66,4 @@ glm::dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& 
   return sum / double{kDivisions * kDivisions};
 }
 
-}  // namespace candela::flatten
+}  // namespace candela::scene
