@@ -1,4 +1,12 @@
 # The project's warnings and sanitizers.
+if(CANDELA_SANITIZE STREQUAL thread)
+  set(CANDELA_SANITIZE_FLAGS -fsanitize=thread)
+elseif(CANDELA_SANITIZE STREQUAL address)
+  set(CANDELA_SANITIZE_FLAGS -fsanitize=address,undefined)
+elseif(CANDELA_SANITIZE)
+  message(FATAL_ERROR "CANDELA_SANITIZE is '${CANDELA_SANITIZE}', but must be OFF, address or thread")
+endif()
+
 function(candela_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor
                                            -Woverloaded-virtual -Wnull-dereference)
@@ -23,8 +31,8 @@ function(candela_compile_options target)
       # GCC 12 loses track of std::function within std::regex once it is instrumented.
       target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
     endif()
-    target_compile_options(${target} PUBLIC -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
-    target_link_options(${target} PUBLIC -fsanitize=address,undefined)
+    target_compile_options(${target} PUBLIC ${CANDELA_SANITIZE_FLAGS} -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
+    target_link_options(${target} PUBLIC ${CANDELA_SANITIZE_FLAGS})
   endif()
 endfunction()
 
