@@ -72,14 +72,14 @@ TEST_CASE("the mean square root of one sample is that of its radiance") {
 }
 
 TEST_CASE("normals, distances and positions of a ball have their closed form") {
-  constexpr std::uint32_t kSide = 24;
+  constexpr std::uint32_t kBallSide = 24;
   onBothTracers([&](const RenderFunction& render) {
-    const image::Film film = render(ballScene(), centreSettings(kSide)).film;
+    const image::Film film = render(ballScene(), centreSettings(kBallSide)).film;
     const Channels channels(film);
     std::uint32_t hits = 0;
-    for (std::uint32_t y = 0; y < kSide; ++y) {
-      for (std::uint32_t x = 0; x < kSide; ++x) {
-        const dvec3 d = directionThrough(x, y, kSide);
+    for (std::uint32_t y = 0; y < kBallSide; ++y) {
+      for (std::uint32_t x = 0; x < kBallSide; ++x) {
+        const dvec3 d = directionThrough(x, y, kBallSide);
         const double b = 6 * d.y, discriminant = b * b - 32;
         if (std::abs(discriminant) < 1e-3) continue;
         const bool isHit = discriminant > 0;

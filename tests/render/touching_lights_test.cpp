@@ -182,8 +182,10 @@ TEST_CASE("a small panel illuminates a large floor from its light in a distance 
   onBothTracers([&](const RenderFunction& renderScene) {
     const auto film = [&](bool hasPanel) {
       SceneBuilder b = test::floorUnder(shift);
-      constexpr float kSide = 0x1p-10f;
-      if (hasPanel) b.quad({-kSide, -kSide, 0}, {-kSide, kSide, 0}, {kSide, kSide, 0}, {kSide, -kSide, 0});
+      constexpr float kHalfSide = 0x1p-10f;
+      if (hasPanel)
+        b.quad({-kHalfSide, -kHalfSide, 0}, {-kHalfSide, kHalfSide, 0}, {kHalfSide, kHalfSide, 0},
+               {kHalfSide, -kHalfSide, 0});
       addPointLight(b, vec3(0));
       return renderScene(b.scene, directLight()).film;
     };
