@@ -16,7 +16,7 @@ constexpr std::size_t kMinPrefix = 3;       ///< length from which a word may be
 std::optional<std::string_view> completed(std::string_view word, const std::vector<Spelling>& spellings) {
   std::optional<std::string_view> found;
   for (const Spelling& spelling : spellings) {
-    if (editDistance(word, spelling.word.substr(0, word.size())) > 0) continue;
+    if (!equalsIgnoringCase(word, spelling.word.substr(0, word.size()))) continue;
     if (found && *found != spelling.keyword) return std::nullopt;
     found = spelling.keyword;
   }
@@ -51,6 +51,8 @@ std::optional<std::string_view> suggest(std::string_view word, const std::vector
   std::optional<std::string_view> best;
   std::size_t limit = word.size() / 3 + 1;  // one more than the maximum distance
   for (const Spelling& spelling : spellings) {
+    const auto [shorter, longer] = std::minmax({word.size(), spelling.word.size()});
+    if (longer - shorter >= limit) continue;  // a lower bound on the distance
     const std::size_t distance = editDistance(word, spelling.word);
     if (distance >= limit) continue;
     limit = distance;
