@@ -52,7 +52,10 @@ NodeTree::NodeTree(const Value& root, const Pose& pose, bool lenient, scene::Dia
   parents_.resize(count, kNone);
   isHidden_.resize(count);
   worlds_.resize(count, glm::dmat4(1));
-  if (count == 0) return;
+  if (count == 0) {
+    if (root.sizeOf("scenes") > 0) listedRoots(root, {}, log);  // checks the indices
+    return;
+  }
   collectChildren(root, lenient, log);
   std::vector<std::size_t> tops;
   for (std::size_t i = 0; i < count; ++i) {

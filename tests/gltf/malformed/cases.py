@@ -270,6 +270,9 @@ def of_text():
         yield Case(f"text-{name}", content, "line")
     for name, content in (("array", b"{}"), ("null", b'{"asset": null}')):
         yield Case(f"text-{name}", content, "the root" if content == b"{}" else "/asset")
+    for name, content, place in (("scene", b'"scene": 1, "scenes": [{}]', "/scene"),
+                                 ("scene-node", b'"scenes": [{"nodes": [0]}]', "/scenes/0/nodes/0")):
+        yield Case(f"text-no-nodes-{name}", b'{"asset": {"version": "2.0"}, ' + content + b"}", place)
 
 
 def of_containers_glb():
