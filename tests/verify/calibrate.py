@@ -29,7 +29,7 @@ SCENES = ["balls", "cornell", "depth_of_field", "lamp_over_plane", "mirror", "mi
 KINDS = {"balls": (1, 2, 3, 4), "mount": (1, 3, 6), "tetra": (1, 3, 6), "rings": (1, 3, 7), "gears": (1, 2, 4),
          "tree": (1, 4, 8, 11), "jacks": (1, 2, 3), "lattice": (1, 4, 12), "shells": (1, 3, 5), "sombrero": (1, 2),
          "teapot": (1, 2, 6), "terrain": (2, 20, 70), "sphere": (1, 10, 40), "cornell": (1, 10, 29)}
-LARGE_SIZES = {"balls": 6, "mount": 9, "tetra": 9, "rings": 30, "gears": 12, "tree": 16, "jacks": 6, "lattice": 50, "shells": 11,
+LARGE_SIZES = {"balls": 6, "mount": 9, "tetra": 9, "rings": 30, "gears": 12, "tree": 16, "jacks": 6, "lattice": 50, "shells": 10,
                "sombrero": 4, "teapot": 50, "terrain": 700, "sphere": 300, "cornell": 60}
 DEFAULT_FAMILIES = ("spd", "generated", "translated", "gltf")
 FAMILIES = (*DEFAULT_FAMILIES, "large")
