@@ -18,9 +18,6 @@ std::optional<std::uint32_t> parseWhole(std::string_view word, std::uint32_t low
   return value;
 }
 
-// Short names of the mattes.
-constexpr std::array<std::pair<std::string_view, image::Layer>, 2> kLayerAliases{
-    {{"id", image::Layer::cryptoObject}, {"material", image::Layer::cryptoMaterial}}};
 constexpr std::string_view kAllLayers = "all";
 
 // Returns the layer of a name, or all layers; none if there is no such name.

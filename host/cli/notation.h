@@ -2,6 +2,7 @@
 #pragma once
 #include <fmt/format.h>
 
+#include <array>
 #include <charconv>
 #include <functional>
 #include <optional>
@@ -43,6 +44,9 @@ Notation<std::uint64_t> byteCount();
 Notation<render::SampleRange> sampleRange(std::uint32_t highest);
 /// "X,Y,W,H", X and Y below `highest`, W and H from 1 to `highest`.
 Notation<render::Window> window(std::uint32_t highest);
+/// Short names of the mattes.
+inline constexpr std::array<std::pair<std::string_view, image::Layer>, 2> kLayerAliases{
+    {{"id", image::Layer::cryptoObject}, {"material", image::Layer::cryptoMaterial}}};
 /// Names of layers, separated by commas, in any order; `none` for no layers.
 Notation<image::LayerSet> layerList();
 /// "HOST:PORT"; a host with colons is in brackets.

@@ -17,8 +17,7 @@ const std::vector<std::pair<std::string, view::Mode>> kModes{{"device", view::Mo
 Notation<view::ShownLayer> shownLayer() {
   std::vector<std::pair<std::string, view::ShownLayer>> names{{std::string(view::shownName({})), std::nullopt}};
   for (const image::Layer layer : view::shownLayers()) names.emplace_back(view::shownName(layer), layer);
-  names.emplace_back("id", image::Layer::cryptoObject);
-  names.emplace_back("material", image::Layer::cryptoMaterial);
+  for (const auto& [alias, layer] : kLayerAliases) names.emplace_back(alias, layer);
   Notation<view::ShownLayer> notation = choice(names);
   notation.metavar = "LAYER";
   return notation;
