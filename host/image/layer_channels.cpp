@@ -139,7 +139,7 @@ void addLayers(Image& image, const Film& film) {
   for (std::size_t i = 0; i < allChannelNames().size(); ++i) {
     const auto layer = static_cast<Layer>(i);
     if (!film.layers().has(layer)) continue;
-    if (layer == Layer::cryptoObject || layer == Layer::cryptoMaterial) continue;
+    if (matteKindOf(layer)) continue;
     const std::span<const std::string> names = layerChannelNames(layer);
     for (std::size_t c = 0; c < names.size(); ++c)
       image.channels.push_back({names[c], layerChannelValues(film, layer, c)});

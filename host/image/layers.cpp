@@ -135,6 +135,12 @@ bool hasMatte(LayerSet layers, MatteKind kind) {
   return layers.has(kind == MatteKind::object ? Layer::cryptoObject : Layer::cryptoMaterial);
 }
 
+std::optional<MatteKind> matteKindOf(Layer layer) {
+  if (layer == Layer::cryptoObject) return MatteKind::object;
+  if (layer == Layer::cryptoMaterial) return MatteKind::material;
+  return std::nullopt;
+}
+
 bool hasMattes(LayerSet layers) {
   return std::ranges::any_of(kMatteKinds, [&](MatteKind kind) { return hasMatte(layers, kind); });
 }

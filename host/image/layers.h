@@ -54,6 +54,8 @@ LayerSet withSums(LayerSet layers);
 /// Returns whether the layers include the mattes of a kind, or of any kind.
 bool hasMatte(LayerSet layers, MatteKind kind);
 bool hasMattes(LayerSet layers);
+/// Returns the kind of a matte; nothing for other layers.
+std::optional<MatteKind> matteKindOf(Layer layer);
 
 /// Returns the names of the layers, separated by commas; `none` for an empty set.
 std::string layerText(LayerSet layers);

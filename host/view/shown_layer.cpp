@@ -84,12 +84,6 @@ bool isLight(ShownLayer layer) {
   return !layer || layer == Layer::direct || layer == Layer::indirect || layer == Layer::emission;
 }
 
-std::optional<image::MatteKind> matteKindOf(Layer layer) {
-  if (layer == Layer::cryptoObject) return image::MatteKind::object;
-  if (layer == Layer::cryptoMaterial) return image::MatteKind::material;
-  return std::nullopt;
-}
-
 image::LayerSet neededBy(ShownLayer layer) {
   image::LayerSet layers;
   if (layer) layers.add(*layer);

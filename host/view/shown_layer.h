@@ -28,8 +28,6 @@ std::string_view shownName(ShownLayer layer);
 ShownLayer nextLayer(ShownLayer layer, bool isBackwards);
 /// Returns whether exposure and tone map apply to it: the picture, and the layers that are parts of its light.
 bool isLight(ShownLayer layer);
-/// Returns the kind of a matte; nothing for other layers.
-std::optional<image::MatteKind> matteKindOf(image::Layer layer);
 /// Returns the layers of a film from which the layer is shown.
 image::LayerSet neededBy(ShownLayer layer);
 
