@@ -44,7 +44,6 @@ class Engine {
   void apply(const Requests& requests);
   void load(const Choice& choice, bool reads);
   void measureRanges();
-  void fill(Picture& picture, const image::Film& film) const;
   void adopt(Sessions sessions);
   void startDevice();
   void adoptDevice();

@@ -6,15 +6,6 @@
 
 namespace candela::view {
 
-void Engine::fill(Picture& picture, const image::Film& film) const {
-  picture.isLight = isLight(choice_.layer);
-  if (choice_.layer) {
-    showLayer(film, *choice_.layer, picture);
-  } else {
-    view::show(film, picture);
-  }
-}
-
 // Copies the film of a side to its picture. Layers are converted on the host.
 void Engine::show(Side side) {
   SideView& view = next_.sides[indexOf(side)];
@@ -27,7 +18,12 @@ void Engine::show(Side side) {
     return;
   }
   auto picture = std::make_shared<Picture>(*pictures_[indexOf(side)]);
-  fill(*picture, session.film());
+  picture->isLight = isLight(choice_.layer);
+  if (choice_.layer) {
+    showLayer(session.film(), *choice_.layer, *picture);
+  } else {
+    view::show(session.film(), *picture);
+  }
   pictures_[indexOf(side)] = picture;
   view.picture = std::move(picture);
 }
@@ -45,10 +41,15 @@ void Engine::measureRanges() {
   next_.falseColourScale = falseColourScale(toImage(sessions_.session(side)->film()), toneMap);
 }
 
+// Both sides have been shown with the same number of samples. A picture that is on the device is read back.
 void Engine::compareSides() {
-  Picture device(next_.size);
-  fill(device, sessions_.device->film());
-  next_.difference = compare(device, *pictures_[indexOf(Side::reference)]);
+  std::shared_ptr<const Picture> device = next_.sides[indexOf(Side::device)].picture;
+  if (!device) {
+    auto picture = std::make_shared<Picture>(next_.size);
+    view::show(sessions_.device->film(), *picture);
+    device = std::move(picture);
+  }
+  next_.difference = compare(*device, *pictures_[indexOf(Side::reference)]);
 }
 
 }  // namespace candela::view
