@@ -41,6 +41,14 @@ bool denoiseByOidn(image::Image& image, const image::Film& film, const Log& log)
   return false;
 }
 
+void reportLimited(const denoise::LimitedLight& limited, image::Image& image, const Log& log) {
+  const std::string text = fmt::format(
+      "isolated bright samples in {} of {} pixels were limited, which removed {:.2g} % of the light",
+      limited.pixelCount, image.rgb.size(), 100 * limited.share);
+  addBias(image.metadata, text);
+  log.note(text + "; add samples to keep it");
+}
+
 }  // namespace
 
 void requireDenoisable(const Arguments& arguments) {
@@ -61,10 +69,11 @@ Arguments withDenoiseLayers(Arguments arguments) {
 
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
   if (arguments.denoisesByOidn && denoiseByOidn(image, film, log)) return;
-  denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
+  const denoise::LimitedLight limited = denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
     return arguments.usesReference() ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
   });
   addBias(image.metadata, "denoised: neighbours are averaged");
+  if (limited.pixelCount > 0) reportLimited(limited, image, log);
 }
 
 void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const Arguments& arguments,

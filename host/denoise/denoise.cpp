@@ -1,11 +1,12 @@
-// Multiplies the filtered light by the reflectance.
+// Limits isolated samples, filters the light, and multiplies it by the reflectance.
 #include "host/denoise/denoise.h"
 
 namespace candela::denoise {
 
-void denoise(image::Image& image, const image::Film& film, const Filter& filter) {
+LimitedLight denoise(image::Image& image, const image::Film& film, const Filter& filter) {
   requireStatistics(film);
-  const PixelStatistics statistics = statisticsOf(film);
+  PixelStatistics statistics = statisticsOf(film);
+  const LimitedLight limited = limitIsolatedSamples(statistics);
   const std::vector<glm::vec3> light = filter(statistics);
   for (std::size_t i = 0; i < light.size(); ++i) {
     const gpu::DenoisePixel& pixel = statistics.pixels[i];
@@ -13,6 +14,7 @@ void denoise(image::Image& image, const image::Film& film, const Filter& filter)
   }
   image.luminanceVariance.clear();
   image.metadata[kDenoisedMetadata] = "by statistics of pixels: neighbours with similar samples, normals and albedos";
+  return limited;
 }
 
 }  // namespace candela::denoise

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "host/denoise/isolated_samples.h"
 #include "host/denoise/pixel_statistics.h"
 #include "host/image/image.h"
 
@@ -16,7 +17,8 @@ using Filter = std::function<std::vector<glm::vec3>(const PixelStatistics&)>;
 inline constexpr const char* kDenoisedMetadata = "candela.denoised";
 
 /// Replaces the colours of the image of a film. The image loses its variances, which are not those of the new colours,
-/// and gains the metadata entry kDenoisedMetadata. Throws as requireStatistics() does.
-void denoise(image::Image& image, const image::Film& film, const Filter& filter);
+/// and gains the metadata entry kDenoisedMetadata. Returns the light of isolated samples that was taken away. Throws as
+/// requireStatistics() does.
+LimitedLight denoise(image::Image& image, const image::Film& film, const Filter& filter);
 
 }  // namespace candela::denoise

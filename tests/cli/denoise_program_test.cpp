@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/image/image.h"
+#include "host/image/metrics.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {
@@ -30,6 +31,21 @@ TEST_CASE("a denoised render and its film denoised later are the same image, whi
   CHECK(denoised.luminanceVariance.empty());
   CHECK_THAT(denoised.metadata.at("candela.bias"), Contains("denoised"));
   CHECK(denoised.metadata.contains("candela.denoised"));
+}
+
+TEST_CASE("the program states how much light of isolated bright samples it has removed") {
+  const TemporaryFolder folder;
+  const std::string a = folder.path("a.exr"), film = folder.path("film.exr");
+  const std::string tinyLamp = "f 1 1 1 1 0 0 0 0 1 1 1 90000 90000 90000\ns 0 0 9 0.4\n";
+  const ProgramResult result = runCandela({folder.write("a.p3f", smallScene(tinyLamp)), "--device", "cpu", "--size",
+                                           "24x18", "--spp", "16", "--nee", "off", "--denoise", "--checkpoint", film,
+                                           "-o", a});
+  REQUIRE(result.exitCode == 0);
+  CHECK_THAT(result.err,
+             Contains("isolated bright samples in") && Contains("of 432 pixels were limited, which removed"));
+  const image::Image denoised = image::readImage(a);
+  CHECK_THAT(denoised.metadata.at("candela.bias"), Contains("isolated bright samples in"));
+  CHECK(image::compareImages(denoised, image::readImage(film)).relativeMeanDifference < -0.1);
 }
 
 TEST_CASE("a film of --denoise is that of --aov moments") {
