@@ -15,7 +15,7 @@ bool isLavapipe22() { return openTestDevice().info().driver.find("Mesa 22.3.6") 
 
 }  // namespace
 
-TEST_CASE("capture: a program gives the results of each kind of case") {
+TEST_CASE("capture: a program gives the results of each kind of case", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   for (const char* const name :
        {"leaf.integer.shift", "leaf.float.sqrt", "leaf.function.cap", "leaf.film.carry", "leaf.sampler.sobol",
@@ -140,7 +140,7 @@ TEST_CASE("capture: a feature that the device lacks is named") {
   }
 }
 
-TEST_CASE("conformance --capture ends soon after SIGTERM, and leaves no part of a capture") {
+TEST_CASE("conformance --capture ends soon after SIGTERM, and leaves no part of a capture", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   std::vector<std::string> faulty = miscompiled("133:0:129");  // one OpFMul becomes OpFAdd
   faulty.emplace_back("CANDELA_VALIDATION=0");

@@ -113,15 +113,15 @@ def main():
     for name in ("program", "layers", "icd"):
         parser.add_argument("--" + name, required=True)
     parser.add_argument("--only", default="", help="regular expression of names")
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="plant the first of each N of them")
     parser.add_argument("--table", action="store_true")
     options = parser.parse_args()
-    sound = {cases: run(options, cases, None) for cases in {mutant[2] for mutant in MUTANTS}}
+    chosen = [mutant for mutant in MUTANTS if re.search(options.only, mutant[0])][::options.every]
+    sound = {cases: run(options, cases, None) for cases in {mutant[2] for mutant in chosen}}
     missed = []
     if options.table:
         print(TABLE_HEAD)
-    for name, change, cases, culprit in MUTANTS:
-        if not re.search(options.only, name):
-            continue
+    for name, change, cases, culprit in chosen:
         failed = sorted(run(options, cases, change) - sound[cases])
         found = [case for case in failed if fnmatch.fnmatch(case, culprit)]
         if options.table:

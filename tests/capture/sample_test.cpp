@@ -35,7 +35,7 @@ TEST_CASE("capture: one dispatch of a path kernel gives the reference's values, 
   CHECK_THAT(header, Contains(".groups = {1, 1, 1}"));
 }
 
-TEST_CASE("capture: the expected sums have the scale of the film") {
+TEST_CASE("capture: the expected sums have the scale of the film", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   CHECK_THAT(captureTo(folder.path("scaled"), cornell({"--film-scale", "6"})).out,
              Contains("computes the expected values"));

@@ -22,7 +22,8 @@ TEST_CASE("adaptive: a device's film has the same bytes however it was interrupt
   requireEqualAdaptiveFilms(onAdaptiveDevice(), folder, 8);
 }
 
-TEST_CASE("adaptive: every kernel and every dispatch size gives the same film, with layers and without") {
+TEST_CASE("adaptive: every kernel and every dispatch size gives the same film, with layers and without",
+          "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const FilmRuns runs = onAdaptiveDevice();
   const std::string scene = folder.write("a.p3f", causticScene());

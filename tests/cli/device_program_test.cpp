@@ -194,7 +194,7 @@ TEST_CASE("compare SCENE and verify write a page that names the device, with pic
   CHECK(contains(verified, "candela verify " + scene));
 }
 
-TEST_CASE("verify reports a wrong result although both sides agree") {
+TEST_CASE("verify reports a wrong result although both sides agree", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene("# exact-mean: 9 9 9\n"));
   const ProgramResult result = runOnDevice({"verify", scene, "--bias", "10%"});
@@ -234,7 +234,7 @@ TEST_CASE("two tracers that agree on bad samples fail only with --strict, and ha
   CHECK(image::badSampleCount(image::readImage(exr)) > 0);
 }
 
-TEST_CASE("Ctrl-C during a render on a device writes the finished samples and exits with 7") {
+TEST_CASE("Ctrl-C during a render on a device writes the finished samples and exits with 7", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const std::string exr = folder.path("a.exr");

@@ -34,7 +34,8 @@ TEST_CASE("explain prints two equal paths as text and as JSON") {
   CHECK(report["stages"].size() == 2 + report["vertexCount"]["device"].get<std::size_t>());
 }
 
-TEST_CASE("explain without --pixel explains the pixel that differs most, or reports that none differs") {
+TEST_CASE("explain without --pixel explains the pixel that differs most, or reports that none differs",
+          "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult few = explainOnDevice({"explain", scene, "--size", "8x8", "--json", "-"});
@@ -45,7 +46,7 @@ TEST_CASE("explain without --pixel explains the pixel that differs most, or repo
              Contains("Nothing to explain: at one sample all 64 pixels are equal."));
 }
 
-TEST_CASE("verify --explain reports that there is nothing to explain if all pixels are equal") {
+TEST_CASE("verify --explain reports that there is nothing to explain if all pixels are equal", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const ProgramResult result = explainOnDevice({"verify", scene, "--size", "8x8", "--bias", "20%", "--explain"});

@@ -42,7 +42,7 @@ TEST_CASE("a device's film with layers has the same bytes however it was divided
         readText(folder.path("whole.exr")));
 }
 
-TEST_CASE("the wavefront resumes the megakernel's film, with the same bytes") {
+TEST_CASE("the wavefront resumes the megakernel's film, with the same bytes", "[swiftshader-slow]") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
   const FilmRuns runs = onDevice(kSmall);

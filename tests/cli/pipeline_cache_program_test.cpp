@@ -55,7 +55,7 @@ TEST_CASE("a render stores its compiled pipelines, and the next one loads them")
   CHECK_THAT(second.err, Contains(" bytes from "));
 }
 
-TEST_CASE("a damaged file of compiled pipelines is ignored and replaced") {
+TEST_CASE("a damaged file of compiled pipelines is ignored and replaced", "[swiftshader-slow]") {
   const Cache cache;
   REQUIRE(cache.render().exitCode == 0);
   REQUIRE(cache.isStored());

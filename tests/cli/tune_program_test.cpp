@@ -149,7 +149,7 @@ TEST_CASE("candela devices lists stored tuning, and benchmarks use it", "[swifts
   CHECK(json::parse(rays.out)["rows"][0]["workgroup"] == "16x8");
 }
 
-TEST_CASE("a damaged tuning file is ignored with one warning, which --quiet hides") {
+TEST_CASE("a damaged tuning file is ignored with one warning, which --quiet hides", "[swiftshader-slow]") {
   const Home home;
   const std::string file = home.keep(tune::candidateWith({{"workgroup", "16x8"}}));
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
@@ -162,7 +162,7 @@ TEST_CASE("a damaged tuning file is ignored with one warning, which --quiet hide
   CHECK(home.run({home.scene(), "--spp", "2", "--stats", "-q"}).err.empty());
 }
 
-TEST_CASE("tune fails at once if nothing can be stored, and renders work as before") {
+TEST_CASE("tune fails at once if nothing can be stored, and renders work as before", "[swiftshader-slow]") {
   const Home home;
   const std::string file = home.scene();
   const std::vector<std::pair<std::vector<std::string>, std::string>> places{
@@ -186,7 +186,7 @@ TEST_CASE("the reference cannot be tuned, and an invalid scene is reported") {
   CHECK(home.kept().empty());
 }
 
-TEST_CASE("Ctrl-C during tuning stores nothing and exits with 7") {
+TEST_CASE("Ctrl-C during tuning stores nothing and exits with 7", "[swiftshader-slow]") {
   const Home home;
   Surroundings surroundings;
   surroundings.interruptAfter = std::chrono::milliseconds(3000);

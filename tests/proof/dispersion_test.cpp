@@ -78,7 +78,8 @@ render::RenderSettings dispersionSettings(std::uint32_t side, std::uint32_t samp
 
 }  // namespace
 
-TEST_CASE("each channel of a surface with dispersion has the value of its own index, and the pdf is the mixture") {
+TEST_CASE("each channel of a surface with dispersion has the value of its own index, and the pdf is the mixture",
+          "[swiftshader-slow]") {
   const MaterialLeaves leaves(withMonochromes(surfacesWithDispersion()));
   const std::vector<vec3> first = randomNumbers(3000, 401), second = randomNumbers(3000, 402);
   for (std::uint32_t surface = 0; surface < surfacesWithDispersion().size(); ++surface) {
@@ -105,7 +106,8 @@ TEST_CASE("each channel of a surface with dispersion has the value of its own in
   }
 }
 
-TEST_CASE("the mean weight of samples over the choice of the channel is the albedo of each channel's own surface") {
+TEST_CASE("the mean weight of samples over the choice of the channel is the albedo of each channel's own surface",
+          "[swiftshader-slow]") {
   const MaterialLeaves leaves(withMonochromes(surfacesWithDispersion()));
   const std::vector<vec3> numbers = latticeNumbers(8192);
   for (std::uint32_t surface = 0; surface < surfacesWithDispersion().size(); ++surface) {
@@ -131,7 +133,8 @@ TEST_CASE("the mean weight of samples over the choice of the channel is the albe
   }
 }
 
-TEST_CASE("the channel is chosen in proportion to the throughput, and refracts by Snell's law with its own index") {
+TEST_CASE("the channel is chosen in proportion to the throughput, and refracts by Snell's law with its own index",
+          "[swiftshader-slow]") {
   constexpr double kIor = 1.5, kDispersion = 4;
   const MaterialLeaves leaves({materialOf(dispersiveGlass(0, kIor, kDispersion))});
   struct Choice {
@@ -159,7 +162,7 @@ TEST_CASE("the channel is chosen in proportion to the throughput, and refracts b
   }
 }
 
-TEST_CASE("a prism shows each channel the light in the direction of its own deviation") {
+TEST_CASE("a prism shows each channel the light in the direction of its own deviation", "[swiftshader-slow]") {
   // Light enters a prism of 40 degrees at an angle of 50 degrees, in the plane y = 0.
   constexpr double kDegree = std::numbers::pi / 180, kApex = 40 * kDegree, kEntry = 50 * kDegree;
   constexpr double kIor = 1.5, kDispersion = 5, kDistance = 100;
@@ -200,7 +203,7 @@ TEST_CASE("a prism shows each channel the light in the direction of its own devi
   }
 }
 
-TEST_CASE("bodies of white glass with dispersion absorb nothing in any channel") {
+TEST_CASE("bodies of white glass with dispersion absorb nothing in any channel", "[swiftshader-slow]") {
   for (const float roughness : {0.0f, 0.3f}) {
     SceneBuilder b;
     b.material(materialOf(dispersiveGlass(roughness, 1.5f, 4))).sphere({0, 0, 0}, 1);
@@ -239,7 +242,7 @@ TEST_CASE("a picture with dispersion is in each channel that of the channel's in
   }
 }
 
-TEST_CASE("thin walls, an index of 1 and a scale of 0 do not disperse: the film keeps its bits") {
+TEST_CASE("thin walls, an index of 1 and a scale of 0 do not disperse: the film keeps its bits", "[swiftshader-slow]") {
   const auto filmOf = [&](const SurfaceParameters& surface, float hidden) {
     SceneBuilder b;
     b.material(materialOf(surface)).sphere({0, 0, 0}, 1);

@@ -128,7 +128,7 @@ TEST_CASE("all directions are sampled uniformly from inside a sphere and from it
   }
 }
 
-TEST_CASE("samples of a triangle are uniform on it, seen from the front and from behind") {
+TEST_CASE("samples of a triangle are uniform on it, seen from the front and from behind", "[swiftshader-slow]") {
   const LightLeaves lights(lamps());
   for (const std::uint32_t entry : {2u, 3u}) {
     const scene::Triangle triangle = trianglesOf(lamps()).at(entry - 2);

@@ -129,7 +129,7 @@ TEST_CASE("densities integrate to 1, including directions below the surface and 
   });
 }
 
-TEST_CASE("the mean weight of samples is the albedo computed by quadrature") {
+TEST_CASE("the mean weight of samples is the albedo computed by quadrature", "[swiftshader-slow]") {
   const MaterialLeaves leaves(smoothMaterials());
   const HemisphereGrid grid(kLobeRows, kFiner * kLobeColumns);
   const std::vector<glm::vec3> numbers = latticeNumbers(200000);

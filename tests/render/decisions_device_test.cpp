@@ -40,7 +40,7 @@ render::RenderSettings settingsOf(render::Integrator integrator) {
 
 }  // namespace
 
-TEST_CASE("samples that single precision can decide are equal in every scene, by paths") {
+TEST_CASE("samples that single precision can decide are equal in every scene, by paths", "[swiftshader-slow]") {
   OddCounts counts;
   for (const auto& file : sceneFiles()) {
     addScene(formats::loadScene(file).scene, settingsOf(render::Integrator::path), counts);

@@ -18,7 +18,7 @@ std::uint64_t baseHash(const scene::Scene& scene) { return renderOnDevice(scene,
 
 }  // namespace
 
-TEST_CASE("the workgroup does not change the image") {
+TEST_CASE("the workgroup does not change the image", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const std::uint64_t expected = baseHash(scene);
   for (const render::Extent workgroup : {render::Extent{16, 4}, render::Extent{64, 1}, render::Extent{1, 1}}) {
@@ -31,7 +31,7 @@ TEST_CASE("the workgroup does not change the image") {
   }
 }
 
-TEST_CASE("the number of segments per dispatch does not change the image") {
+TEST_CASE("the number of segments per dispatch does not change the image", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const std::uint64_t expected = baseHash(scene);
   std::size_t fewerDispatches = ~std::size_t{0};
@@ -48,7 +48,7 @@ TEST_CASE("the number of segments per dispatch does not change the image") {
   }
 }
 
-TEST_CASE("the tile does not change the image") {
+TEST_CASE("the tile does not change the image", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const std::uint64_t expected = baseHash(scene);
   for (const render::Extent tile :

@@ -68,7 +68,7 @@ scene::Scene coveredGlass() {
 
 }  // namespace
 
-TEST_CASE("glass with dispersion has the reference's pixels at equal seeds, by both kernels") {
+TEST_CASE("glass with dispersion has the reference's pixels at equal seeds, by both kernels", "[swiftshader-slow]") {
   render::RenderSettings settings = test::settingsOf(96, 96, 1);
   for (const auto kernel : {render::KernelKind::megakernel, render::KernelKind::wavefront}) {
     settings.execution.kernel = kernel;
@@ -82,7 +82,7 @@ TEST_CASE("glass with dispersion below coats, films and normal maps has the refe
   checkPixelsAgree(coveredGlass(), settings);
 }
 
-TEST_CASE("both kernels make the same film of glass with dispersion") {
+TEST_CASE("both kernels make the same film of glass with dispersion", "[swiftshader-slow]") {
   render::RenderSettings settings = test::settingsOf(32, 32, 8);
   std::vector<std::uint64_t> hashes;
   for (const auto kernel : {render::KernelKind::megakernel, render::KernelKind::wavefront}) {

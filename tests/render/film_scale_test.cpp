@@ -105,7 +105,7 @@ TEST_CASE("highlights of smooth metal in the sun are not cut") {
   });
 }
 
-TEST_CASE("the film of scale k is that of the lights divided by 2^k, bit for bit") {
+TEST_CASE("the film of scale k is that of the lights divided by 2^k, bit for bit", "[swiftshader-slow]") {
   const scene::Scene strong = manyLights(1);
   const render::RenderSettings settings = withLayers(strong);
   const std::uint32_t scale = settings.image.filmScale;
@@ -124,7 +124,7 @@ TEST_CASE("the film of scale k is that of the lights divided by 2^k, bit for bit
   });
 }
 
-TEST_CASE("the wavefront kernel scales its samples, too") {
+TEST_CASE("the wavefront kernel scales its samples, too", "[swiftshader-slow]") {
   const scene::Scene scene = manyLights(1);
   render::RenderSettings settings = withLayers(scene);
   const image::Film film = renderOnDevice(scene, settings).film;

@@ -167,7 +167,8 @@ TEST_CASE("a furnace of albedo 1/2 and radiance 1 shows 1 directly, 1/2 once sca
   });
 }
 
-TEST_CASE("paths of one and two rays have no indirect light, and their parts are the film, unit by unit") {
+TEST_CASE("paths of one and two rays have no indirect light, and their parts are the film, unit by unit",
+          "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   onBothTracers([&](const RenderFunction& render) {
     render::RenderSettings settings = layerSettings(24, 4);

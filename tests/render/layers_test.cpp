@@ -32,7 +32,7 @@ render::RenderSettings divisionSettings() {
 
 }  // namespace
 
-TEST_CASE("layers do not change the film, and films without layers have none") {
+TEST_CASE("layers do not change the film, and films without layers have none", "[swiftshader-slow]") {
   for (const char* name : {"primitives.p3f", "sky.p3f"}) {
     const scene::Scene scene = loadTestScene(name);
     for (const render::KernelKind kernel : {render::KernelKind::megakernel, render::KernelKind::wavefront}) {
@@ -78,7 +78,7 @@ TEST_CASE("a crop has the layers of the full image") {
   });
 }
 
-TEST_CASE("layers have the film's samples where a session was stopped, and continue from there") {
+TEST_CASE("layers have the film's samples where a session was stopped, and continue from there", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = divisionSettings();
   settings.execution.segmentsPerDispatch = 1;

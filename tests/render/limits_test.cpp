@@ -109,7 +109,7 @@ TEST_CASE("a kernel that exceeds the device's loop limit is detected") {
   CHECK(renderOnDevice(scene, settings).statistics.truncated == 0);
 }
 
-TEST_CASE("dispatches do not leak memory") {
+TEST_CASE("dispatches do not leak memory", "[swiftshader-slow]") {
   // lavapipe stores two megabytes of compiled code for each dispatch of a kernel that branches on uniform values, or
   // has a loop with uniform bounds, such as the second scene's loop over its infinite plane, which is not in the BVH.
   const scene::Scene scene = loadTestScene(GENERATE("mirror.p3f", "primitives.p3f"));

@@ -43,7 +43,8 @@ void requireAllCounted(const image::Film& film) {
 
 }  // namespace
 
-TEST_CASE("every sample has an id, for more samples than a list has, however the work is divided") {
+TEST_CASE("every sample has an id, for more samples than a list has, however the work is divided",
+          "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   const image::Film expected = renderOnDevice(scene, matteSettings(75)).film;
   requireAllCounted(expected);

@@ -244,7 +244,7 @@ TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, o
   });
 }
 
-TEST_CASE("facets and the mirrors between them are seen in proportion to their projected areas") {
+TEST_CASE("facets and the mirrors between them are seen in proportion to their projected areas", "[swiftshader-slow]") {
   // The normal is tilted by 30 degrees to the right, and the eye is 45 degrees to the left. Facets reflect it to the
   // horizon on the right; those that are seen in a mirror reflect it to a light near the zenith.
   SceneBuilder b;

@@ -60,7 +60,7 @@ void requireMovable(render::Renderer& renderer, const scene::Scene& scene, const
 
 }  // namespace
 
-TEST_CASE("a film and its counts do not depend on how the samples are split into ranges") {
+TEST_CASE("a film and its counts do not depend on how the samples are split into ranges", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   onAllRenderers([&](render::Renderer& renderer) {
     const render::RenderResult whole = renderer.render(scene, sessionSettings(), {});
@@ -73,7 +73,7 @@ TEST_CASE("a film and its counts do not depend on how the samples are split into
   });
 }
 
-TEST_CASE("a film is read from the device once after each change") {
+TEST_CASE("a film is read from the device once after each change", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   for (const std::uint64_t bandBytes : {64 << 20, 64 << 10}) {
     const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .maxBandBytes = bandBytes});
@@ -130,7 +130,7 @@ TEST_CASE("a session that was stopped continues where it was", "[swiftshader-slo
   });
 }
 
-TEST_CASE("a session continues the film of another session that was stopped") {
+TEST_CASE("a session continues the film of another session that was stopped", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   render::RenderSettings settings = sessionSettings();
   settings.execution.tile = render::Extent{16, 16};
@@ -283,7 +283,7 @@ TEST_CASE("a scene that prefers no structure gets a BVH if the device needs one"
   CHECK(statistics.warnings.front().find("600 primitives") != std::string::npos);
 }
 
-TEST_CASE("a film after a change of the view equals that of a session prepared with it") {
+TEST_CASE("a film after a change of the view equals that of a session prepared with it", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   onAllRenderers([&](render::Renderer& renderer) {
     const render::RenderSettings settings = sessionSettings();

@@ -166,7 +166,7 @@ void requireSameFilms(const std::vector<scene::Scene>& scenes, const render::Ren
 
 }  // namespace
 
-TEST_CASE("every structure gives the film of brute force, with its own number of steps") {
+TEST_CASE("every structure gives the film of brute force, with its own number of steps", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("primitives.p3f");
   std::set<std::uint64_t> hashes, steps;
   for (const Way& way : kWays) {

@@ -87,7 +87,7 @@ TEST_CASE("surfaces that are not only mirrors or glass are shown") {
   }
 }
 
-TEST_CASE("through panes of glass that do not refract, layers are those without the panes") {
+TEST_CASE("through panes of glass that do not refract, layers are those without the panes", "[swiftshader-slow]") {
   const std::string wall = "f .8 .4 .2 1 0 0 0 0 1 0 1 0 0 0\np 4\n-9 -9 0\n9 -9 0\n9 9 0\n-9 9 0\ns 0 0 .5 1\n";
   const std::string view = "b 0 0 0\nv\nfrom 0 0 4\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 12 12\n";
   const scene::Scene open = sceneFromText(view + wall);
@@ -105,7 +105,7 @@ TEST_CASE("through panes of glass that do not refract, layers are those without 
   });
 }
 
-TEST_CASE("neither the film nor the parts of the light depend on what layers are seen through") {
+TEST_CASE("neither the film nor the parts of the light depend on what layers are seen through", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("smallpt.p3f");
   onBothTracers([&](const RenderFunction& render) {
     render::RenderSettings settings = layerSettings(24, 6);
@@ -125,7 +125,7 @@ TEST_CASE("neither the film nor the parts of the light depend on what layers are
   });
 }
 
-TEST_CASE("no division of the work changes layers behind mirrors and glass") {
+TEST_CASE("no division of the work changes layers behind mirrors and glass", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("smallpt.p3f");
   render::RenderSettings settings = layerSettings(20, 5);
   settings.image.layersThroughSpecular = true;

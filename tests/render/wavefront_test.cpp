@@ -137,7 +137,7 @@ TEST_CASE("a queue with more workgroups than one dimension permits loses no pixe
   requireSame(loadTestScene("lamp_over_plane.p3f"), settings);
 }
 
-TEST_CASE("the wavefront and the megakernel record the same paths") {
+TEST_CASE("the wavefront and the megakernel record the same paths", "[swiftshader-slow]") {
   render::RenderSettings settings = wavefrontSettings();
   settings.image.sampleCount = 1;
   settings.execution.recordPaths = true;

@@ -80,7 +80,7 @@ TEST_CASE("variants: a fault that affects optimised modules is shrunk to the pas
              Contains(": 1 of 44 steps, in 1 of 1 modules: path\nspirv-opt --convert-local-access-chains"));
 }
 
-TEST_CASE("variants: a fault in one stage of the wavefront names its module", "[swiftshader-slow]") {
+TEST_CASE("variants: a fault in one stage of the wavefront names its module", "[slow]") {
   const Result result = runVariants("variants.wavefront.mutated_2.cornell", faulty(kCopiesWithAMinus));
   INFO(result.cases.dump());
   CHECK(result.exitCode == 3);
