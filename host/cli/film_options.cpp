@@ -19,11 +19,6 @@ constexpr const char* kAntialiasing = "antialiasing";  // a setting of films tha
 
 const Option* settingNamed(const std::string& name) { return findOption(Command::render, "--" + name); }
 
-std::string settingOf(const film::FilmHeader& header, const std::string& name) {
-  const auto found = header.settings.find(name);
-  return found == header.settings.end() ? "" : found->second;
-}
-
 bool isAbsent(const Option& option, const std::string& value) { return value.empty() || option.isDefault(value); }
 
 // The changes that make the settings of a render those of a film.
@@ -77,8 +72,8 @@ std::string stepsToResume(const film::FilmHeader& film, const film::FilmHeader& 
   std::map<std::string, std::string> names = film.settings;
   names.insert(render.settings.begin(), render.settings.end());
   for (const auto& [name, ignored] : names) {
-    const std::string value = settingOf(film, name);
-    if (value != settingOf(render, name)) changes.adopt(name, value);
+    const std::string value = film.setting(name);
+    if (value != render.setting(name)) changes.adopt(name, value);
   }
   std::vector<std::string> steps;
   if (!changes.added.empty()) steps.push_back(fmt::format("use {}", fmt::join(changes.added, " ")));

@@ -61,10 +61,9 @@ Metadata metadataOf(const film::FilmHeader& header, const image::Film& film) {
                     {verify::kSeedMetadata, fmt::to_string(header.seed)},
                     {"candela.interrupted", header.isComplete() ? "no" : "yes"}};
   addMatteMetadata(header.layers, header.matteNames, metadata);
-  const auto limit = header.settings.find("clamp-indirect");
-  if (limit != header.settings.end() && limit->second != "off") addBias(metadata, biasText(limit->second));
-  if (const auto threshold = header.settings.find("noise-threshold"); threshold != header.settings.end())
-    addBias(metadata, adaptiveBiasText(threshold->second));
+  const std::string limit = header.setting("clamp-indirect"), threshold = header.setting("noise-threshold");
+  if (!limit.empty() && limit != "off") addBias(metadata, biasText(limit));
+  if (!threshold.empty()) addBias(metadata, adaptiveBiasText(threshold));
   return metadata;
 }
 
@@ -82,9 +81,8 @@ image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata
 }
 
 Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
-  const auto integrator = header.settings.find("integrator");
-  if (integrator == header.settings.end()) return arguments;
-  findOption(Command::render, "--integrator")->apply(arguments, integrator->second);
+  const std::string integrator = header.setting("integrator");
+  if (!integrator.empty()) findOption(Command::render, "--integrator")->apply(arguments, integrator);
   return arguments;
 }
 

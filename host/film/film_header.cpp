@@ -34,11 +34,6 @@ std::string clause(const std::string& what, const std::string& inA, const std::s
                      b);
 }
 
-std::string settingOf(const FilmHeader& header, const std::string& name) {
-  const auto found = header.settings.find(name);
-  return found == header.settings.end() ? "" : found->second;
-}
-
 using Members = std::vector<std::pair<std::string, std::string>>;
 
 // Names and values of all members that must be equal in two films of one estimate, in the order in which they are
@@ -50,7 +45,7 @@ Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
                   {"--seed", fmt::to_string(header.seed)}};
   std::map<std::string, std::string> names = header.settings;
   names.insert(other.settings.begin(), other.settings.end());
-  for (const auto& [name, value] : names) members.emplace_back("--" + name, settingOf(header, name));
+  for (const auto& [name, value] : names) members.emplace_back("--" + name, header.setting(name));
   members.emplace_back("--aov", image::layerText(header.layers));
   return members;
 }
@@ -87,7 +82,12 @@ std::uint32_t FilmHeader::format() const {
   return hasAlpha() ? 2 : 1;
 }
 
-bool FilmHeader::hasAlpha() const { return settingOf(*this, "background") == "none"; }
+std::string FilmHeader::setting(const std::string& name) const {
+  const auto found = settings.find(name);
+  return found == settings.end() ? "" : found->second;
+}
+
+bool FilmHeader::hasAlpha() const { return setting("background") == "none"; }
 
 std::optional<double> FilmHeader::noiseThreshold() const {
   const auto found = settings.find(kThresholdSetting);

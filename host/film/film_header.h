@@ -50,6 +50,8 @@ struct FilmHeader {
   std::vector<Tracer> tracers;     ///< sorted, each once; one unless films of different devices were merged
   std::vector<std::string> mixed;  ///< differences that the user chose to ignore, sorted, each once
 
+  /// Returns the value of one of `settings`; empty if the film lacks it.
+  std::string setting(const std::string& name) const;
   /// Returns whether the film has hit counts, as the setting `background` determines.
   bool hasAlpha() const;
   /// Threshold of adaptive sampling, from the setting `noise-threshold`. Throws FileError if that is no number.
