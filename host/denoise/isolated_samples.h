@@ -6,7 +6,7 @@
 
 namespace candela::denoise {
 
-/// What limitIsolatedSamples() has taken away.
+/// The light that limitIsolatedSamples() has taken away.
 struct LimitedLight {
   std::size_t pixelCount = 0;
   double share = 0;  ///< of the luminance of all pixels that are filtered, 0 to 1
