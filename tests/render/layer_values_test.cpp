@@ -193,22 +193,20 @@ TEST_CASE("paths of one and two rays have no indirect light, and their parts are
 }
 
 TEST_CASE("direct light, indirect light and emission add up to the image") {
-  for (const char* name : {"cornell.p3f", "smallpt.p3f", "sky.p3f"}) {
-    const scene::Scene scene = loadTestScene(name);
-    onBothTracers([&](const RenderFunction& render) {
-      const image::Film film = render(scene, layerSettings(16, 4)).film;
-      const Channels channels(film);
-      for (std::uint32_t y = 0; y < 16; ++y) {
-        for (std::uint32_t x = 0; x < 16; ++x) {
-          const dvec3 direct = channels.vectorAt("direct", "RGB", x, y);
-          const dvec3 indirect = channels.vectorAt("indirect", "RGB", x, y);
-          const dvec3 sum = direct + indirect + channels.vectorAt("emission", "RGB", x, y);
-          CHECK(std::min({direct.x, direct.y, direct.z, indirect.x, indirect.y, indirect.z}) >= 0);
-          CHECK(length(sum - film.mean(x, y)) <= 3e-7 * length(sum));  // each is rounded to single precision
-        }
+  const scene::Scene scene = loadTestScene(GENERATE("cornell.p3f", "smallpt.p3f", "sky.p3f"));
+  onBothTracers([&](const RenderFunction& render) {
+    const image::Film film = render(scene, layerSettings(16, 4)).film;
+    const Channels channels(film);
+    for (std::uint32_t y = 0; y < 16; ++y) {
+      for (std::uint32_t x = 0; x < 16; ++x) {
+        const dvec3 direct = channels.vectorAt("direct", "RGB", x, y);
+        const dvec3 indirect = channels.vectorAt("indirect", "RGB", x, y);
+        const dvec3 sum = direct + indirect + channels.vectorAt("emission", "RGB", x, y);
+        CHECK(std::min({direct.x, direct.y, direct.z, indirect.x, indirect.y, indirect.z}) >= 0);
+        CHECK(length(sum - film.mean(x, y)) <= 3e-7 * length(sum));  // each is rounded to single precision
       }
-    });
-  }
+    }
+  });
 }
 
 TEST_CASE("only the path tracer has layers") {

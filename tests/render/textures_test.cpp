@@ -234,6 +234,34 @@ TEST_CASE("textures scale the weights of transmission and coat, and vertex colou
   }
 }
 
+TEST_CASE("the green channel of a texture scales the roughness, and the blue one the metalness, both linear") {
+  // A texel of (0, 102, 204) / 255 beside a surface without a texture that has 0.4 and 0.8 times the parameters.
+  const auto film = [](const RenderFunction& render, bool isTextured) {
+    SceneBuilder b;
+    b.scene.images = {{"", 1, 1, {0xff000000u | 204u << 16 | 102u << 8}}};
+    scene::Material material;
+    material.surface = scene::SurfaceParameters{.baseColour = {0.9f, 0.6f, 0.3f},
+                                                .metalness = isTextured ? 1 : 204 / 255.0f,
+                                                .roughness = isTextured ? 1 : 102 / 255.0f};
+    if (isTextured) material = withTexture(material, scene::TextureSlot::metallicRoughness, {});
+    b.material(material).pointLight({1, -2, 3}, vec3(1)).view({-1, -3, 3}, {0, 0, 0}, {0, 0, 1}, 30);
+    b.scene.background = vec3(0.3f);
+    addMesh(b.scene, square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, true), 0);
+    return render(b.scene, squareSettings(24, 16)).film;
+  };
+  onBothTracers([&](const RenderFunction& render) {
+    const image::Film textured = film(render, true), plain = film(render, false);
+    std::uint32_t different = 0;
+    for (std::uint32_t y = 0; y < 24; ++y) {
+      for (std::uint32_t x = 0; x < 24; ++x) {
+        different += glm::length(textured.mean(x, y) - plain.mean(x, y)) > 1e-4 * glm::length(plain.mean(x, y));
+      }
+    }
+    CHECK(different <= 24 * 24 / 100);
+    CHECK(meanLuminance(plain) > 0.05);
+  });
+}
+
 TEST_CASE("textures of a sheen and of a thin film have the reference's pixels at equal seeds") {
   for (const std::uint32_t seed : {0u, 1u, 2u}) requireSamePixels(fabrics(), seed, render::SamplerKind::sobol, true);
 }

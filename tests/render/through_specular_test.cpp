@@ -75,16 +75,17 @@ TEST_CASE(
 }
 
 TEST_CASE("surfaces that are not only mirrors or glass are shown") {
-  // Diffuse, diffuse and glossy, and glass with a diffuse part.
-  for (const char* floor : {".5 .5 .5 1 0 0 0 0 1 0 1 0 0 0", ".5 .5 .5 .5 .5 .5 .5 .5 40 0 1 0 0 0",
-                            ".5 .5 .5 .5 .5 .5 .5 .2 1 .5 1.5 0 0 0"}) {
-    CAPTURE(floor);
-    onBothTracers([&](const RenderFunction& render) {
+  const std::string diffuse = ".5 .5 .5 1 0 0 0 0 1 0 1 0 0 0";
+  const std::string diffuseAndGlossy = ".5 .5 .5 .5 .5 .5 .5 .5 40 0 1 0 0 0";
+  const std::string diffuseAndGlass = ".5 .5 .5 .5 .5 .5 .5 .2 1 .5 1.5 0 0 0";
+  onBothTracers([&](const RenderFunction& render) {
+    for (const std::string& floor : {diffuse, diffuseAndGlossy, diffuseAndGlass}) {
+      CAPTURE(floor);
       const image::Film film = render(roomWith(floor), throughSettings(6)).film;
       CHECK(onlyIdOf(film, 4, 3) == image::matteId("triangle.0"));
       CHECK(Channels(film).at("Z", 4, 3) < 5);
-    });
-  }
+    }
+  });
 }
 
 TEST_CASE("through panes of glass that do not refract, layers are those without the panes", "[swiftshader-slow]") {
