@@ -29,8 +29,11 @@ TEST_CASE("inverse bind matrices come before the joints") {
   std::vector<float> matrices(32, 0);
   for (const std::size_t i : {0u, 5u, 10u, 15u, 16u, 21u, 26u, 31u}) matrices[i] = 1;
   matrices[12] = -1;  // joint 0: x - 1
+  matrices[28] = -2;  // joint 1: x - 2, which does not commute with its scale
   file.root["skins"][0]["inverseBindMatrices"] = file.accessor(matrices, kFloat, "MAT4", 2);
-  CHECK(sceneOf(file).meshes.at(0).positions[0] == glm::vec3(-1, 0, 5));
+  const std::vector<glm::vec3> positions = sceneOf(file).meshes.at(0).positions;
+  CHECK(positions[0] == glm::vec3(-1, 0, 5));
+  CHECK(positions[1] == glm::vec3(-3, 0, 0));
 }
 
 TEST_CASE("weights that do not sum to 1 are scaled, and a second set counts too") {
