@@ -98,6 +98,28 @@ TEST_CASE("the irradiance by the sun's disc is that of the model, whatever texel
   }
 }
 
+TEST_CASE("the sun's disc is uniform, and its diameter is 0.533 degrees, as seen from the earth") {
+  // The mean square of the distance from the centre of a uniform disc is half the square of its radius. Texels that are
+  // d across add d^2 / 12 in each dimension (Sheppard's correction).
+  constexpr double kRadius = 0.5 * 0.533 * kDegree, kElevation = 15 * kDegree;
+  const scene::Environment map = makeSunSky("15,90,2");
+  const dvec3 sun(std::cos(kElevation), std::sin(kElevation), 0);
+  double light = 0, moment = 0;
+  for (std::uint32_t row = 0; row < map.height / 2; ++row) {
+    for (std::uint32_t column = 0; column < map.width; ++column) {
+      const double texel = map.texels[std::size_t{row} * map.width + column].g;
+      if (texel <= 50) continue;  // sky
+      const dvec3 offset = directionOf(column + 0.5, row + 0.5, map.width, map.height) - sun;
+      light += texel;
+      moment += texel * dot(offset, offset);
+    }
+  }
+  REQUIRE(light > 0);
+  const double down = pi / map.height, across = std::cos(kElevation) * 2 * pi / map.width;
+  const double expected = kRadius * kRadius / 2 + (down * down + across * across) / 12;
+  CHECK(moment / light == Approx(expected).epsilon(0.05));
+}
+
 TEST_CASE("half of a sun at the horizon is seen, above ground of albedo 0.2") {
   const scene::Environment map = makeSunSky("25,0,4");
   const Light light = lightOf(map);

@@ -67,6 +67,19 @@ TEST_CASE("sparse accessors replace elements, of zeros where there is no view") 
   CHECK(readFirst<glm::vec2>(file) == std::vector<glm::vec2>{{1, 1}, {5, 6}, {3, 3}, {7, 8}});
 }
 
+TEST_CASE("sparse accessors replace integers, too") {
+  GltfFile file = triangleFile();
+  const std::size_t indices = file.accessor<std::uint16_t>({0, 0, 0}, kUnsignedShort, "SCALAR", 3);
+  const std::size_t replaced = file.view<std::uint8_t>({1, 2});
+  const std::size_t values = file.view<std::uint16_t>({2, 1});
+  file.root["accessors"][indices]["sparse"] = {
+      {"count", 2},
+      {"indices", {{"bufferView", replaced}, {"componentType", kUnsignedByte}}},
+      {"values", {{"bufferView", values}}}};
+  file.primitive()["indices"] = indices;
+  CHECK(sceneOf(file).meshes.at(0).indices == std::vector<std::uint32_t>{0, 2, 1});
+}
+
 TEST_CASE("the last byte of a view can be read, and no further") {
   GltfFile file;
   file.view<float>({1, 2, 3});

@@ -49,6 +49,9 @@ TEST_CASE("rotations are interpolated on the sphere, along the shorter way") {
   const GltfFile file = animated("rotation", {0, 0, 0, 1, 0, 0, -a, -a}, "VEC4", 4, "LINEAR");
   const glm::vec3 x = sceneOf(file, {.time = 2}).meshes.at(0).positions.at(1);
   CHECK(glm::distance(x, glm::vec3(a, a, 0)) < 1e-6f);  // half of 90 degrees
+  const float quarter = glm::radians(22.5f);            // where the chord between the quaternions would be 21.6 degrees
+  const glm::vec3 sooner = sceneOf(file, {.time = 1.5}).meshes.at(0).positions.at(1);
+  CHECK(glm::distance(sooner, glm::vec3(std::cos(quarter), std::sin(quarter), 0)) < 1e-6f);
 }
 
 TEST_CASE("an animation is chosen by its name, else by its index, and the first one by default") {

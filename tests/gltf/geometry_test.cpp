@@ -176,6 +176,25 @@ TEST_CASE("morph targets add to positions by the weights of the mesh, or those o
   CHECK(sceneOf(file).meshes.at(0).positions[0] == glm::vec3(5, 0, 0));
 }
 
+TEST_CASE("morph targets add to normals and to the directions of tangents, whose lengths are 1 afterwards") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  attributes["NORMAL"] = file.vectors({0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3", 3);
+  attributes["TANGENT"] = file.vectors({1, 0, 0, -1, 1, 0, 0, -1, 1, 0, 0, -1}, "VEC4", 4);
+  file.primitive()["targets"] = {{{"NORMAL", file.positions({4, 0, 0, 0, 6, 0, 0, 0, 0})},
+                                  {"TANGENT", file.positions({0, 0, -4, 0, 0, 0, 0, 1.5f, 0})}}};
+  file.root["meshes"][0]["weights"] = {0.5};
+  const scene::Scene scene = sceneOf(file);
+  const scene::Mesh& mesh = scene.meshes.at(0);
+  checkVector(mesh.normals.at(0), glm::normalize(glm::vec3(2, 0, 1)));
+  checkVector(mesh.normals[1], glm::normalize(glm::vec3(0, 3, 1)));
+  checkVector(mesh.normals[2], {0, 0, 1});
+  checkVector(glm::vec3(mesh.tangents.at(0)), glm::normalize(glm::vec3(1, 0, -2)));
+  checkVector(glm::vec3(mesh.tangents[1]), {1, 0, 0});
+  checkVector(glm::vec3(mesh.tangents[2]), {0.8f, 0.6f, 0});
+  for (const glm::vec4& tangent : mesh.tangents) CHECK(tangent.w == -1);
+}
+
 TEST_CASE("quantised positions are scaled by their node") {
   GltfFile file;
   const std::size_t positions = file.accessor<std::int16_t>({0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 0, 0}, kShort,

@@ -29,8 +29,11 @@ TEST_CASE("inverse bind matrices come before the joints") {
   std::vector<float> matrices(32, 0);
   for (const std::size_t i : {0u, 5u, 10u, 15u, 16u, 21u, 26u, 31u}) matrices[i] = 1;
   matrices[12] = -1;  // joint 0: x - 1
+  matrices[28] = -2;  // joint 1: x - 2, which does not commute with its scale
   file.root["skins"][0]["inverseBindMatrices"] = file.accessor(matrices, kFloat, "MAT4", 2);
-  CHECK(sceneOf(file).meshes.at(0).positions[0] == glm::vec3(-1, 0, 5));
+  const std::vector<glm::vec3> positions = sceneOf(file).meshes.at(0).positions;
+  CHECK(positions[0] == glm::vec3(-1, 0, 5));
+  CHECK(positions[1] == glm::vec3(-3, 0, 0));
 }
 
 TEST_CASE("weights that do not sum to 1 are scaled, and a second set counts too") {
@@ -41,6 +44,25 @@ TEST_CASE("weights that do not sum to 1 are scaled, and a second set counts too"
                                                         3);
   attributes["WEIGHTS_1"] = file.vectors({0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0}, "VEC4", 4);
   CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{0, 0, 5}, {3, 0, 0}, {0, 2, 2.5f}});
+}
+
+TEST_CASE("a primitive that uses a few of many vertices takes the joints and the weights of these") {
+  // Joint 0 moves even vertices to z = 5, joint 1 scales odd ones by 3.
+  GltfFile file = skinned();
+  constexpr std::size_t kCount = 30;
+  std::vector<float> positions(3 * kCount), weights(4 * kCount);
+  std::vector<std::uint8_t> joints(4 * kCount);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    positions[3 * i] = static_cast<float>(i);
+    joints[4 * i] = static_cast<std::uint8_t>(i < 3 ? 1 - i % 2 : i % 2);  // other ones for the first vertices
+    weights[4 * i] = 1;
+  }
+  json& attributes = file.primitive()["attributes"];
+  attributes["POSITION"] = file.positions(positions);
+  attributes["JOINTS_0"] = file.accessor(joints, kUnsignedByte, "VEC4", kCount);
+  attributes["WEIGHTS_0"] = file.vectors(weights, "VEC4", 4);
+  file.primitive()["indices"] = file.accessor<std::uint8_t>({13, 20, 8}, kUnsignedByte, "SCALAR", 3);
+  CHECK(sceneOf(file).meshes.at(0).positions == std::vector<glm::vec3>{{8, 0, 5}, {39, 0, 0}, {20, 0, 5}});
 }
 
 TEST_CASE("a joint that mirrors keeps fronts in front") {

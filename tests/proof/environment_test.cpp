@@ -134,6 +134,34 @@ TEST_CASE("light samples of an environment are distributed as its interpolated l
   checkCounts(cells.counts(), expected);
 }
 
+TEST_CASE("the number of a light sample of an environment is divided among the texels to its last bit") {
+  // Every texel has the mean weight, so that bin b of the alias table is texel b alone. It begins at the lowest number
+  // whose product with the number of bins is at least b 2^64.
+  constexpr std::uint64_t kBins = std::uint64_t{kWidth} * kHeight;
+  scene::Environment map = wildMap();
+  for (std::size_t i = 0; i < kBins; ++i) map.texels[i] = vec3(1 + static_cast<float>(i));
+  map.weights.assign(kBins, scene::Environment::kMeanWeight);
+  std::vector<EnvironmentQuery> queries;
+  std::vector<std::uint64_t> texels;
+  const auto add = [&](std::uint64_t number, std::uint64_t texel) {
+    queries.push_back({static_cast<std::uint32_t>(number >> 32), static_cast<std::uint32_t>(number)});
+    texels.push_back(texel);
+  };
+  for (std::uint64_t bin = 1; bin < kBins; ++bin) {
+    constexpr std::uint64_t kLargest = ~std::uint64_t{0};
+    // ceil(b 2^64 / kBins) by 2^64 = q kBins + r
+    constexpr std::uint64_t kQuotient = kLargest / kBins, kRest = kLargest % kBins + 1;
+    const std::uint64_t first = bin * kQuotient + (bin * kRest + kBins - 1) / kBins;
+    add(first - 1, bin - 1);
+    add(first, bin);
+  }
+  const std::vector<LitPoint> points = EnvironmentLeaves(under(map)).sample(queries);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    CAPTURE(queries[i].wordU, queries[i].wordV);
+    REQUIRE(points[i].emission.x == 1 + static_cast<double>(texels[i]));
+  }
+}
+
 TEST_CASE("a light sample of an environment has the radiance of its tap, and the density of this tap") {
   const EnvironmentLeaves leaves(under(wildMap()));
   const std::vector<double> shares = sharesOf(wildMap());

@@ -1,6 +1,7 @@
 // Opacity on both tracers: the same pixels at equal seeds with every structure and kernel, and closed forms for rays of
 // the camera, of paths, and shadow rays.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <random>
 
 #include "host/image/image.h"
@@ -147,6 +148,16 @@ TEST_CASE("a mask cuts where interpolated alpha reaches the cutoff") {
     const double half = 5 * std::tan(glm::radians(0.01)) * 512;  // of the width of the view
     const double edge = 2 * (0.25 + 0.375 / 2) - 1;
     CHECK(passed == Approx(256 + edge / half * 256).margin(1.5));
+  });
+}
+
+TEST_CASE("a mask whose alpha equals the cutoff is opaque, and one just below is not there") {
+  onBothTracers([](const RenderFunction& render) {
+    const auto seen = [&](float alpha) {
+      return meanLuminance(render(wallBehind({{.factor = alpha, .cutoff = 0.5f}}).scene, squareSettings(8, 1)).film);
+    };
+    CHECK(seen(0.5f) == 0);
+    CHECK(seen(std::nextafter(0.5f, 0.0f)) == Approx(1));
   });
 }
 
