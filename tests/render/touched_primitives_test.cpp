@@ -65,6 +65,25 @@ TEST_CASE("only the walls in whose planes the light lies are marked") {
   CHECK(touchedIn(b.scene).empty());
 }
 
+TEST_CASE("a light touches a box on each of its six faces, and not behind or within it") {
+  const vec3 low(-1, -2, -3), high(2, 4, 6), centre = 0.5f * (low + high);
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const float face : {low[axis], high[axis]}) {
+      SceneBuilder b;
+      b.material(test::diffuseMaterial(vec3(1))).box(low, high);
+      vec3 light = centre;
+      light[axis] = face;
+      CAPTURE(axis, face);
+      b.pointLight(light, vec3(1));
+      CHECK(touchedIn(b.scene) == Indices{0});
+      b.scene.pointLights[0].position[axis] = centre[axis] + 1.01f * (face - centre[axis]);
+      CHECK(touchedIn(b.scene).empty());
+      b.scene.pointLights[0].position[axis] = centre[axis] + 0.99f * (face - centre[axis]);
+      CHECK(touchedIn(b.scene).empty());
+    }
+  }
+}
+
 TEST_CASE("an area light marks what it overlaps, and not its neighbours") {
   SceneBuilder b = test::floorUnder(vec3(0));
   b.material(test::diffuseMaterial(vec3(0), vec3(1))).quad({0, 0, 4}, {1, 0, 4}, {1, 1, 4}, {0, 1, 4});  // 2 and 3
