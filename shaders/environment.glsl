@@ -38,23 +38,50 @@ EnvironmentTap environmentTap(vec3 direction, vec2 jitter) {
   return loadTap(texelAt(size * vec2(across, down) + jitter - 0.5, size), sine);
 }
 
-// Chooses a texel by the alias table. The number is words.x 2^32 + words.y; the bin and the 24 bits that decide between the
-// texel of this index and its alias are the upper bits of its product with the number of bins.
-uint chooseTexel(uvec2 words) {
-  uint bins = constants.environmentWidth * constants.environmentHeight;
-  uint bin, middle, carried, lowest;
-  umulExtended(words.x, bins, bin, middle);
-  umulExtended(words.y, bins, carried, lowest);
-  uint fraction = middle + carried;
-  bin += fraction < carried ? 1u : 0u;
-  uvec4 pair = sceneRow(constants.firstEnvironmentRow + bins + bin / kBinsPerRow);
-  uvec2 entry = bin % kBinsPerRow == 0u ? pair.xy : pair.zw;
-  return fraction >> 8 < entry.x ? bin : entry.y;
+// Returns the number of records that a list of `count` ends and the spans of its numbers take.
+uint recordsOfEnds(uint count) {
+  uint records = (count + kEndsPerRow - 1u) / kEndsPerRow;
+  return records + (records + kSpansPerRow - 1u) / kSpansPerRow;
+}
+
+// Returns the first of `count` intervals whose end is above a number, or the last one. Their ends begin at `row`. The
+// span of the number says in which records the end may be; the binary search among them takes at most 32 iterations,
+// and mostly none.
+uint chooseInterval(uint row, uint count, uint number, inout uint truncated) {
+  uint records = (count + kEndsPerRow - 1u) / kEndsPerRow;
+  uint part, lower;
+  umulExtended(number, records, part, lower);
+  uvec4 spans = sceneRow(row + records + part / kSpansPerRow);
+  uvec2 span = part % kSpansPerRow == 0u ? spans.xy : spans.zw;
+  uint low = span.x;
+  uint high = span.y;
+  uint cutShort = low < high ? 1u : 0u;  // docs/driver-workarounds.md section 4
+  while (low < high) {
+    uint middle = (low + high) / 2u;
+    bool right = number >= sceneRow(row + middle).w;
+    low = right ? middle + 1u : low;
+    high = right ? high : middle;
+    cutShort = low < high ? 1u : 0u;
+    if (low >= high) break;
+  }
+  truncated += cutShort;
+  uvec3 passed = uvec3(greaterThanEqual(uvec3(number), sceneRow(row + low).xyz));
+  return min(kEndsPerRow * low + passed.x + passed.y + passed.z, count - 1u);
+}
+
+// Chooses a row of texels by one word, and a texel in it by another one.
+uint chooseTexel(uvec2 words, inout uint truncated) {
+  uint width = constants.environmentWidth;
+  uint height = constants.environmentHeight;
+  uint ends = constants.firstEnvironmentRow + width * height;
+  uint y = chooseInterval(ends, height, words.x, truncated);
+  ends += recordsOfEnds(height) + y * recordsOfEnds(width);
+  return y * width + chooseInterval(ends, width, words.y, truncated);
 }
 
 // `point` is uniform in the unit square.
-LightSample sampleEnvironment(uvec2 words, vec2 point) {
-  uint texel = chooseTexel(words);
+LightSample sampleEnvironment(uvec2 words, vec2 point, inout uint truncated) {
+  uint texel = chooseTexel(words, truncated);
   float s = float(texel % constants.environmentWidth) + 0.5 + sampleTent(point.x);
   float t = float(texel / constants.environmentWidth) + 0.5 + sampleTent(point.y);
   vec2 azimuth = -cosSinOfTurns(s / float(constants.environmentWidth));

@@ -88,9 +88,9 @@ struct ShadowRay {
 };
 
 // Samples a light of any kind. `numbers` are those of the light choice and the three that follow.
-LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKey key, uint depth) {
+LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKey key, uint depth, inout Work work) {
   if (kHasEnvironmentLight && light.kind == kLightEnvironment) {
-    return sampleEnvironment(numbers.yz, toUnit(sampleGroup(key, environmentGroup(depth)).zw));
+    return sampleEnvironment(numbers.yz, toUnit(sampleGroup(key, environmentGroup(depth)).zw), work.truncated);
   }
   return sampleLight(light, surface, toUnit(numbers).yz);
 }
@@ -100,7 +100,7 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
                        Material material, uvec4 numbers, inout Work work) {
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
-  LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth);
+  LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth, work);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
   bool transmitted = wi.z < 0.0;

@@ -1,4 +1,4 @@
-// Builds the alias table, and converts between directions and coordinates of the map.
+// Chooses texels, and converts between directions and coordinates of the map.
 #include "host/reference/environment_map.h"
 
 #include <algorithm>
@@ -7,50 +7,51 @@
 
 namespace candela::reference {
 
-AliasTable::AliasTable(const std::vector<std::uint64_t>& weights, std::uint64_t mean) : bins_(weights.size()) {
-  const auto size = static_cast<std::uint32_t>(weights.size());
-  const auto next = [&](std::uint32_t from, bool heavy) {
-    while (from < size && (weights[from] > mean) != heavy) ++from;
-    return from;
-  };
-  for (std::uint32_t i = 0; i < size; ++i) bins_[i] = {static_cast<std::uint32_t>(mean), i};
-  std::uint32_t light = next(0, false);
-  std::uint32_t heavy = next(0, true);
-  std::uint64_t rest = heavy < size ? weights[heavy] : 0;
-  while (heavy < size) {
-    if (rest > mean) {
-      bins_[light] = {static_cast<std::uint32_t>(weights[light]), heavy};
-      rest -= mean - weights[light];
-      light = next(light + 1, false);
-      continue;
-    }
-    const std::uint32_t following = next(heavy + 1, true);
-    if (following < size) {
-      bins_[heavy] = {static_cast<std::uint32_t>(rest), following};
-      rest += weights[following] - mean;
-    }
-    heavy = following;
+namespace {
+
+std::vector<std::uint64_t> rowSums(const scene::Environment& environment) {
+  std::vector<std::uint64_t> sums(environment.height);
+  for (std::size_t i = 0; i < environment.weights.size(); ++i) sums[i / environment.width] += environment.weights[i];
+  return sums;
+}
+
+}  // namespace
+
+Partition::Partition(std::span<const std::uint64_t> weights) {
+  std::vector<double> sums;
+  std::uint64_t sum = 0;
+  for (const std::uint64_t weight : weights) sums.push_back(static_cast<double>(sum += weight));
+  for (std::size_t i = 0; i + 1 < weights.size(); ++i) {
+    const double end = sum > 0 ? std::floor(std::ldexp(sums[i] / sums.back(), 32)) : 0;
+    ends_.push_back(static_cast<std::uint32_t>(std::min(end, 0xffffffffp0)));
   }
 }
 
-std::uint32_t AliasTable::choose(std::uint64_t number) const {
-  // The product of `number` with the number of bins, without its lowest 32 bits.
-  const std::uint64_t size = bins_.size();
-  const std::uint64_t product = (number >> 32) * size + ((number & 0xffffffffu) * size >> 32);
-  const Bin& bin = bins_[product >> 32];
-  const auto k = static_cast<std::uint32_t>(product) >> 8;
-  return k < bin.threshold ? static_cast<std::uint32_t>(product >> 32) : bin.alias;
+std::uint32_t Partition::choose(std::uint32_t number) const {
+  return static_cast<std::uint32_t>(std::ranges::upper_bound(ends_, number) - ends_.begin());
+}
+
+double Partition::probability(std::uint32_t interval) const {
+  const double begin = interval == 0 ? 0 : ends_[interval - 1];
+  const double end = interval == ends_.size() ? 0x1p32 : ends_[interval];
+  return (end - begin) / 0x1p32;
 }
 
 EnvironmentMap::EnvironmentMap(const scene::Environment& environment)
     : environment_(environment),
-      table_(environment.weights, scene::Environment::kMeanWeight),
+      rows_(rowSums(environment)),
       toScene_(environment.axes[0], environment.axes[1], environment.axes[2]),
-      shines_(std::ranges::any_of(environment.weights, [](std::uint64_t weight) { return weight > 0; })) {}
+      shines_(std::ranges::any_of(environment.weights, [](std::uint64_t weight) { return weight > 0; })) {
+  const std::span<const std::uint64_t> weights(environment.weights);
+  for (std::size_t i = 0; i < weights.size(); i += environment.width) {
+    columns_.emplace_back(weights.subspan(i, environment.width));
+  }
+}
 
 double EnvironmentMap::pdf(std::uint32_t texel, double sine) const {
-  const double relative = static_cast<double>(environment_.weights[texel]) / scene::Environment::kMeanWeight;
-  return relative > 0 ? relative / (2 * kPi * kPi * sine) : 0;
+  const std::uint32_t row = texel / environment_.width;
+  const double chosen = rows_.probability(row) * columns_[row].probability(texel % environment_.width);
+  return chosen > 0 ? chosen * environment_.width * environment_.height / (2 * kPi * kPi * sine) : 0;
 }
 
 EnvironmentMap::Tap EnvironmentMap::tap(const dvec3& direction, const dvec2& jitter) const {
@@ -71,10 +72,12 @@ EnvironmentMap::Tap EnvironmentMap::tap(const dvec3& direction, const dvec2& jit
   return {texel, environment_.texels[texel], pdf(texel, sine)};
 }
 
-std::optional<LightSample> EnvironmentMap::sample(std::uint64_t choice, const dvec2& point) const {
-  const std::uint32_t texel = table_.choose(choice);
-  const double s = texel % environment_.width + 0.5 + sampleTent(point.x);
-  const double t = texel / environment_.width + 0.5 + sampleTent(point.y);
+std::optional<LightSample> EnvironmentMap::sample(const glm::uvec2& words, const dvec2& point) const {
+  const std::uint32_t row = rows_.choose(words.x);
+  const std::uint32_t column = columns_[row].choose(words.y);
+  const std::uint32_t texel = row * environment_.width + column;
+  const double s = column + 0.5 + sampleTent(point.x);
+  const double t = row + 0.5 + sampleTent(point.y);
   const double azimuth = kPi * (2 * s / environment_.width - 1);
   const double polar = kPi * t / environment_.height;  // beyond the poles, the azimuth is the opposite one
   const double sine = std::sin(polar);

@@ -1,6 +1,7 @@
-// The environment: taps of its map, and their choice by an alias table (docs/light-transport.md section 6).
+// The environment: taps of its map, and their choice by two numbers (docs/light-transport.md section 6).
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/reference/light.h"
@@ -9,21 +10,19 @@
 
 namespace candela::reference {
 
-/// Chooses texels with probabilities that are exactly in proportion to integer weights.
-class AliasTable {
+/// Divides the words of 32 bits into intervals in proportion to integer weights.
+class Partition {
  public:
-  /// The sum of the weights is `mean` times their number, or 0. `mean` is at most 2^24.
-  AliasTable(const std::vector<std::uint64_t>& weights, std::uint64_t mean);
+  /// The sum of the weights is at most 2^53.
+  explicit Partition(std::span<const std::uint64_t> weights);
 
-  /// `number` is uniform among all words of 64 bits. The sum of the weights is not 0.
-  std::uint32_t choose(std::uint64_t number) const;
+  /// Returns the interval that has `number`.
+  std::uint32_t choose(std::uint32_t number) const;
+  /// Returns the exact probability with which a uniform number chooses an interval.
+  double probability(std::uint32_t interval) const;
 
  private:
-  struct Bin {
-    std::uint32_t threshold;
-    std::uint32_t alias;
-  };
-  std::vector<Bin> bins_;
+  std::vector<std::uint32_t> ends_;  ///< without the last one, which is 2^32
 };
 
 class EnvironmentMap {
@@ -42,15 +41,15 @@ class EnvironmentMap {
   bool shines() const { return shines_; }
   /// `jitter` is uniform in the unit square. The direction is a unit vector of the scene.
   Tap tap(const dvec3& direction, const dvec2& jitter) const;
-  /// Returns a sample, farther away than any surface. `choice` is a uniform word of 64 bits, `point` uniform in the
-  /// unit square.
-  std::optional<LightSample> sample(std::uint64_t choice, const dvec2& point) const;
+  /// Returns a sample, farther away than any surface. `words` are uniform, and `point` is uniform in the unit square.
+  std::optional<LightSample> sample(const glm::uvec2& words, const dvec2& point) const;
 
  private:
   double pdf(std::uint32_t texel, double sine) const;
 
   const scene::Environment& environment_;
-  AliasTable table_;
+  Partition rows_;
+  std::vector<Partition> columns_;
   glm::dmat3 toScene_;
   bool shines_;
 };

@@ -22,8 +22,8 @@ struct VertexNumbers {
 
   std::uint32_t lightChoice() const { return numbers.word(block + kDimensionLightChoice); }
   dvec2 light() const { return {numbers.unit(block + kDimensionLightU), numbers.unit(block + kDimensionLightV)}; }
-  std::uint64_t lightWords() const {
-    return std::uint64_t{numbers.word(block + kDimensionLightU)} << 32 | numbers.word(block + kDimensionLightV);
+  glm::uvec2 lightWords() const {
+    return {numbers.word(block + kDimensionLightU), numbers.word(block + kDimensionLightV)};
   }
   dvec2 tap() const { return environmentPair(kDimensionTapX, kDimensionTapY); }
   dvec2 texel() const { return environmentPair(kDimensionTexelX, kDimensionTexelY); }

@@ -170,9 +170,13 @@ CANDELA_CONST uint kSlotGlossiness = 15u;
 CANDELA_CONST uint kSkyFaceCount = 6u;
 CANDELA_CONST uint kSkyTableRows = 64u;
 
-// Environment: a record for each texel, row by row from the top (radiance, weight times 2^-24 / (2 pi^2)), then the
-// bins of its alias table, two per record: (threshold, alias, threshold, alias).
-CANDELA_CONST uint kBinsPerRow = 2u;
+// Environment: a record for each texel, row by row from the top (radiance, probability times the number of texels
+// / (2 pi^2)), then a list of the ends of the intervals that choose a row, and for each row one of those that choose a
+// column. A list has n records of four ends, with 2^32 - 1 in place of the last end and behind it, and n spans, two per
+// record: the first and the last of the list's records that may have the first end above the numbers of the k-th of n
+// equal parts.
+CANDELA_CONST uint kEndsPerRow = 4u;
+CANDELA_CONST uint kSpansPerRow = 2u;
 
 CANDELA_END
 #endif

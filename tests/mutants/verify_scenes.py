@@ -41,7 +41,7 @@ SCENES = {
     "lamps proof": LAMPS,
     **dict.fromkeys(("environment proof", "environment reference", "environment pixels"),
                     [("scenes/balls.p3f", SKY), ("scenes/primitives.p3f", SKY), *generated("material-table")]),
-    "surfaces": SURFACES, "surfaces of the reference": SURFACES,
+    "surfaces": SURFACES, "surfaces of the reference": SURFACES, "volumes": SURFACES,
     "textures": TEXTURES, "opacity": TEXTURES, "normal maps": TEXTURES[2:],
     "anisotropy": [*generated("brushed-table"), *models("AnisotropyStrengthTest")],
     "anisotropic energy": [*generated("brushed-table"), *models("AnisotropyStrengthTest")],

@@ -16,7 +16,8 @@ void main() {
   if (i >= count) return;
   uvec4 first = inputs[2u * i];
   if (task == kSample) {
-    LightSample lit = sampleEnvironment(first.xy, uintBitsToFloat(first.zw));
+    uint truncated = 0u;
+    LightSample lit = sampleEnvironment(first.xy, uintBitsToFloat(first.zw), truncated);
     outputs[2u * i] = vec4(lit.wi, lit.pdf);
     outputs[2u * i + 1u] = vec4(lit.emission, 0.0);
   } else {

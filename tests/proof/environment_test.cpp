@@ -134,31 +134,30 @@ TEST_CASE("light samples of an environment are distributed as its interpolated l
   checkCounts(cells.counts(), expected);
 }
 
-TEST_CASE("the number of a light sample of an environment is divided among the texels to its last bit") {
-  // Every texel has the mean weight, so that bin b of the alias table is texel b alone. It begins at the lowest number
-  // whose product with the number of bins is at least b 2^64.
-  constexpr std::uint64_t kBins = std::uint64_t{kWidth} * kHeight;
+TEST_CASE("the numbers of a light sample of an environment are divided among rows and columns to the last bit") {
+  // All texels have the same weight, so that row y begins at the number 2^32 y / H, and column x at 2^32 x / W, rounded
+  // down.
   scene::Environment map = wildMap();
-  for (std::size_t i = 0; i < kBins; ++i) map.texels[i] = vec3(1 + static_cast<float>(i));
-  map.weights.assign(kBins, scene::Environment::kMeanWeight);
+  for (std::size_t i = 0; i < map.texels.size(); ++i) map.texels[i] = vec3(1 + static_cast<float>(i));
+  map.weights.assign(map.texels.size(), scene::Environment::kMeanWeight);
   std::vector<EnvironmentQuery> queries;
-  std::vector<std::uint64_t> texels;
-  const auto add = [&](std::uint64_t number, std::uint64_t texel) {
-    queries.push_back({static_cast<std::uint32_t>(number >> 32), static_cast<std::uint32_t>(number)});
-    texels.push_back(texel);
+  std::vector<std::uint32_t> texels;
+  const auto add = [&](std::uint64_t wordU, std::uint64_t wordV, std::uint32_t row, std::uint32_t column) {
+    queries.push_back({static_cast<std::uint32_t>(wordU), static_cast<std::uint32_t>(wordV)});
+    texels.push_back(row * kWidth + column);
   };
-  for (std::uint64_t bin = 1; bin < kBins; ++bin) {
-    constexpr std::uint64_t kLargest = ~std::uint64_t{0};
-    // ceil(b 2^64 / kBins) by 2^64 = q kBins + r
-    constexpr std::uint64_t kQuotient = kLargest / kBins, kRest = kLargest % kBins + 1;
-    const std::uint64_t first = bin * kQuotient + (bin * kRest + kBins - 1) / kBins;
-    add(first - 1, bin - 1);
-    add(first, bin);
+  for (std::uint64_t row = 1; row <= kHeight; ++row) {
+    for (std::uint64_t column = 1; column <= kWidth; ++column) {
+      const std::uint64_t endOfRow = (row << 32) / kHeight, endOfColumn = (column << 32) / kWidth;
+      const auto x = static_cast<std::uint32_t>(column), y = static_cast<std::uint32_t>(row);
+      add(endOfRow - 1, endOfColumn - 1, y - 1, x - 1);
+      if (row < kHeight && column < kWidth) add(endOfRow, endOfColumn, y, x);
+    }
   }
   const std::vector<LitPoint> points = EnvironmentLeaves(under(map)).sample(queries);
   for (std::size_t i = 0; i < points.size(); ++i) {
     CAPTURE(queries[i].wordU, queries[i].wordV);
-    REQUIRE(points[i].emission.x == 1 + static_cast<double>(texels[i]));
+    REQUIRE(points[i].emission.x == 1 + double{1} * texels[i]);
   }
 }
 

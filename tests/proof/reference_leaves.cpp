@@ -215,7 +215,7 @@ EnvironmentLeaves::~EnvironmentLeaves() = default;
 std::vector<LitPoint> EnvironmentLeaves::sample(std::span<const EnvironmentQuery> queries) const {
   std::vector<LitPoint> points;
   for (const EnvironmentQuery& query : queries) {
-    const auto lit = side_->map.sample(std::uint64_t{query.wordU} << 32 | query.wordV, dvec2(query.place));
+    const auto lit = side_->map.sample({query.wordU, query.wordV}, dvec2(query.place));
     points.push_back(lit ? LitPoint{lit->wi, 0, side_->probability * lit->pdf.value(), lit->radiance} : LitPoint{});
   }
   return points;
