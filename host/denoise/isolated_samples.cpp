@@ -47,7 +47,17 @@ class Limiter {
         width_(static_cast<int>(statistics.width)),
         height_(static_cast<int>(statistics.height)) {}
 
-  /// Returns the factor f of a pixel that is filtered.
+  /// Returns the factor f of every pixel; 1 for those that are not filtered.
+  std::vector<float> factors() const {
+    std::vector<float> factors;
+    factors.reserve(pixels_.size());
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) factors.push_back(static_cast<float>(at(x, y).light.w > 0 ? factorAt(x, y) : 1));
+    }
+    return factors;
+  }
+
+ private:
   double factorAt(int x, int y) const {
     const DenoisePixel& own = at(x, y);
     const Neighbours neighbours = neighboursOf(x, y);
@@ -58,7 +68,6 @@ class Limiter {
     return 1 - excess * membership(statistic) * neighbours.reliability();
   }
 
- private:
   const DenoisePixel& at(int x, int y) const {
     return pixels_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
   }
@@ -89,18 +98,14 @@ void scale(DenoisePixel& pixel, float factor) {
 }  // namespace
 
 LimitedLight limitIsolatedSamples(PixelStatistics& statistics) {
-  const PixelStatistics original = statistics;
-  const Limiter limiter(original);
+  const std::vector<float> factors = Limiter(statistics).factors();
   LimitedLight limited;
   double before = 0, after = 0;
-  for (std::size_t i = 0; i < statistics.pixels.size(); ++i) {
+  for (std::size_t i = 0; i < factors.size(); ++i) {
     DenoisePixel& pixel = statistics.pixels[i];
-    if (pixel.light.w <= 0) continue;
-    const auto factor = static_cast<float>(
-        limiter.factorAt(static_cast<int>(i % statistics.width), static_cast<int>(i / statistics.width)));
     before += luminanceOf(pixel);
-    if (factor < 1) {
-      scale(pixel, factor);
+    if (factors[i] < 1) {
+      scale(pixel, factors[i]);
       ++limited.pixelCount;
     }
     after += luminanceOf(pixel);
