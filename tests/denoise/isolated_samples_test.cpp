@@ -1,4 +1,4 @@
-// Which bright pixels are limited, and by how much.
+// Tests which bright pixels are limited, and by how much.
 #include "host/denoise/isolated_samples.h"
 
 #include <catch2/catch.hpp>
