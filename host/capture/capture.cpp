@@ -143,8 +143,8 @@ Capture cutDown(const Recording& recording) {
 const RecordedDispatch& lastDispatch(const Recording& recording) { return lastDispatchOf(recording); }
 RecordedDispatch& lastDispatch(Recording& recording) { return lastDispatchOf(recording); }
 
-std::uint32_t bufferOf(const Capture& capture, const Place& place) {
-  return lastDispatch(capture.work).buffers.at(place.binding);
+std::uint32_t bufferOf(const Capture& capture, const WordPosition& position) {
+  return lastDispatch(capture.work).buffers.at(position.binding);
 }
 
 }  // namespace candela::capture

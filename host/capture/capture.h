@@ -42,6 +42,6 @@ const vulkan::RecordedDispatch& lastDispatch(const vulkan::Recording& recording)
 vulkan::RecordedDispatch& lastDispatch(vulkan::Recording& recording);
 
 /// Returns the index of the buffer that contains a value.
-std::uint32_t bufferOf(const Capture& capture, const Place& place);
+std::uint32_t bufferOf(const Capture& capture, const WordPosition& position);
 
 }  // namespace candela::capture

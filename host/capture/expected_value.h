@@ -13,7 +13,7 @@ enum class ValueType : std::uint32_t {
 };
 
 /// The position of a value in the buffers of the last dispatch.
-struct Place {
+struct WordPosition {
   std::uint32_t binding = 0;
   std::uint32_t word = 0;  ///< index of its first word in the buffer
 };
@@ -21,7 +21,7 @@ struct Place {
 /// A value that must be in [low, high]. Both are whole numbers for ValueType::word.
 struct ExpectedValue {
   ValueType type = ValueType::word;
-  Place place;
+  WordPosition position;
   double low = 0;
   double high = 0;
 };

@@ -36,7 +36,7 @@ std::span<const std::byte> bytesOf(std::string_view text) { return std::as_bytes
 void writeExpected(const Capture& capture, const fs::path& file) {
   std::vector<FileValue> values;
   for (const ExpectedValue& value : capture.expected) {
-    values.push_back({static_cast<std::uint32_t>(value.type), bufferOf(capture, value.place), value.place.word, 0,
+    values.push_back({static_cast<std::uint32_t>(value.type), bufferOf(capture, value.position), value.position.word, 0,
                       value.low, value.high});
   }
   writeFileAtomically(file, std::as_bytes(std::span(values)));

@@ -38,7 +38,7 @@ bool isDivided(const Capture& capture) {
     return capture.contents[bufferOf(capture, {binding, 0})].size() % (count * kWord) == 0;
   };
   const bool areOutputs = std::ranges::all_of(
-      capture.expected, [](const ExpectedValue& value) { return value.place.binding == kOutputs; });
+      capture.expected, [](const ExpectedValue& value) { return value.position.binding == kOutputs; });
   return areOutputs && divides(kInputs) && divides(kOutputs);
 }
 
@@ -47,7 +47,7 @@ std::uint32_t firstFailing(const Capture& capture, const vulkan::DeviceInfo& dev
   for (const ExpectedValue& value : capture.expected) {
     const double found = valueOf(value.type, wordsOf(capture, value, contents));
     if (found >= value.low && found <= value.high) continue;
-    return static_cast<std::uint32_t>(value.place.word * kWord / bytesPerInvocation(capture, kOutputs));
+    return static_cast<std::uint32_t>(value.position.word * kWord / bytesPerInvocation(capture, kOutputs));
   }
   return 0;
 }
@@ -64,10 +64,10 @@ void cutBuffer(Capture& capture, std::uint32_t binding, const Invocations& kept)
 void cutExpected(Capture& capture, const Invocations& kept) {
   const auto words = static_cast<std::uint32_t>(bytesPerInvocation(capture, kOutputs) / kWord);
   std::erase_if(capture.expected, [&](const ExpectedValue& value) {
-    const std::uint32_t invocation = value.place.word / words;
+    const std::uint32_t invocation = value.position.word / words;
     return invocation < kept.first || invocation >= kept.first + kept.count;
   });
-  for (ExpectedValue& value : capture.expected) value.place.word -= kept.first * words;
+  for (ExpectedValue& value : capture.expected) value.position.word -= kept.first * words;
 }
 
 Capture cutTo(Capture capture, const Invocations& kept, std::uint32_t groupSize) {

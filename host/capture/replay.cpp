@@ -82,8 +82,8 @@ class Replayer {
 std::string mismatchText(const ExpectedValue& value, double found) {
   const std::string permitted = value.low == value.high ? fmt::format("{:.9g}", value.low)
                                                         : fmt::format("{:.9g} to {:.9g}", value.low, value.high);
-  return fmt::format("binding {}, word {}: expected {}, found {:.9g}", value.place.binding, value.place.word, permitted,
-                     found);
+  return fmt::format("binding {}, word {}: expected {}, found {:.9g}", value.position.binding, value.position.word,
+                     permitted, found);
 }
 
 }  // namespace
@@ -98,9 +98,9 @@ std::vector<Content> replay(const Capture& capture, const vulkan::DeviceInfo& in
 
 std::span<const std::uint32_t> wordsOf(const Capture& capture, const ExpectedValue& value,
                                        const std::vector<Content>& contents) {
-  const Content& content = contents[bufferOf(capture, value.place)];
+  const Content& content = contents[bufferOf(capture, value.position)];
   const std::span words(reinterpret_cast<const std::uint32_t*>(content.data()), content.size() / sizeof(std::uint32_t));
-  return words.subspan(value.place.word, value.type == ValueType::sum ? 3 : 1);
+  return words.subspan(value.position.word, value.type == ValueType::sum ? 3 : 1);
 }
 
 double valueOf(ValueType type, std::span<const std::uint32_t> words) {
@@ -131,7 +131,7 @@ void expectBitsOf(Capture& capture, const vulkan::DeviceInfo& device) {
     const std::span<const std::uint32_t> words = wordsOf(capture, value, contents);
     for (std::uint32_t k = 0; k < words.size(); ++k) {
       const double word = words[k];
-      bits.push_back({ValueType::word, {value.place.binding, value.place.word + k}, word, word});
+      bits.push_back({ValueType::word, {value.position.binding, value.position.word + k}, word, word});
     }
   }
   capture.expected = std::move(bits);

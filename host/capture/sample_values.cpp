@@ -97,7 +97,7 @@ ExpectedValues bitsOf(const image::Film& film) {
 std::size_t differingCount(const image::Film& film, const ExpectedValues& expected) {
   const std::span words = wordsOf(film);
   return static_cast<std::size_t>(std::ranges::count_if(expected, [&](const ExpectedValue& value) {
-    const double found = valueOf(value.type, words.subspan(value.place.word));
+    const double found = valueOf(value.type, words.subspan(value.position.word));
     return !(found >= value.low && found <= value.high);
   }));
 }

@@ -102,7 +102,7 @@ void checkReads(const BoundsRow& row, const WordList& indices, const WordList& o
     }
     for (std::uint32_t k = 0; k < 4; ++k) {
       const std::uint32_t expected = kFirstWord + (row.function == kReadWords ? index : 4 * index + k);
-      mismatches.expect(fmt::format("{}, index {}, component {}", row.name, index, k), outputPlace(i, k), expected,
+      mismatches.expect(fmt::format("{}, index {}, component {}", row.name, index, k), outputPosition(i, k), expected,
                         found[k]);
     }
   }

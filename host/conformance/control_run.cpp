@@ -17,8 +17,8 @@ Finding runControl(const ControlRow& row, vulkan::Device& device) {
   for (std::uint32_t i = 0; i < row.invocations; ++i) {
     const Words expected = row.twin(inputs[i], row.parameter);
     for (std::size_t k = 0; k < expected.size(); ++k) {
-      mismatches.expect(fmt::format("{}({:#x}), invocation {}, value {}", row.name, inputs[i], i, k), outputPlace(i, k),
-                        expected[k], found[i][k]);
+      mismatches.expect(fmt::format("{}({:#x}), invocation {}, value {}", row.name, inputs[i], i, k),
+                        outputPosition(i, k), expected[k], found[i][k]);
     }
   }
   return perInvocation(mismatches.finding());

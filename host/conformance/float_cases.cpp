@@ -151,7 +151,7 @@ Finding runFloat(const FloatRow& row, Workbench& workbench) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Interval permitted = row.permitted(pairs[i][0], pairs[i][1]);
     const float value = found[i][0];
-    mismatches.require(outputPlace(i, 0), permitted.low, permitted.high);
+    mismatches.require(outputPosition(i, 0), permitted.low, permitted.high);
     mismatches.note(permitted.contains(value) ? "" : describe(row, pairs[i], value, permitted));
   }
   return perInvocation(mismatches.finding());

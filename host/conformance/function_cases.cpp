@@ -71,7 +71,8 @@ void compareRow(const FunctionRow& row, std::size_t invocation, const Row& u, co
   const glm::dvec4 expected = row.expected({u[0], u[1], u[2], u[3]});
   for (int k = 0; k < 4; ++k) {
     const double error = row.relativeError * std::abs(expected[k]) + row.absoluteError;
-    mismatches.require(outputPlace(invocation, static_cast<std::size_t>(k)), expected[k] - error, expected[k] + error);
+    mismatches.require(outputPosition(invocation, static_cast<std::size_t>(k)), expected[k] - error,
+                       expected[k] + error);
     const bool isNear = std::abs(double{found[k]} - expected[k]) <= error;
     mismatches.note(
         isNear
@@ -116,7 +117,8 @@ void comparePixel(std::size_t pixel, const image::FilmPixel& host, const image::
                   Mismatches& mismatches) {
   const auto placeOf = [&](const std::uint32_t& member) {
     const std::ptrdiff_t word = &member - reinterpret_cast<const std::uint32_t*>(&found);
-    return capture::Place{kOutputs, static_cast<std::uint32_t>(pixel * kPixelWords + static_cast<std::size_t>(word))};
+    return capture::WordPosition{kOutputs,
+                                 static_cast<std::uint32_t>(pixel * kPixelWords + static_cast<std::size_t>(word))};
   };
   const auto compareSum = [&](const char* channel, const image::FixedSum& a, const image::FixedSum& b) {
     for (std::size_t word = 0; word < a.size(); ++word) {

@@ -78,7 +78,7 @@ Finding runIdentities(const GroupShape& shape, vulkan::Device& device, std::uint
     const Words expected = expectedIdentity(shape, x, y, z, subgroupSize);
     mismatches.expect(fmt::format("runs of invocation {},{},{}", x, y, z), {kCounts, i}, 1, found.counts[i]);
     for (std::size_t k = 0; k < expected.size(); ++k) {
-      mismatches.expect(fmt::format("invocation {},{},{}, {}", x, y, z, kNames[k]), outputPlace(i, k), expected[k],
+      mismatches.expect(fmt::format("invocation {},{},{}, {}", x, y, z, kNames[k]), outputPosition(i, k), expected[k],
                         found.outputs[4 * i + k]);
     }
   }

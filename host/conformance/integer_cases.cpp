@@ -117,7 +117,7 @@ Finding compareWords(const std::string& name, const std::vector<Words>& argument
                      const std::vector<Words>& found) {
   Mismatches mismatches;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    for (std::size_t k = 0; k < expected[i].size(); ++k) mismatches.require(outputPlace(i, k), expected[i][k]);
+    for (std::size_t k = 0; k < expected[i].size(); ++k) mismatches.require(outputPosition(i, k), expected[i][k]);
     mismatches.note(found[i] == expected[i] ? ""
                                             : fmt::format("{}{}: expected {}, found {}", name, textOf(arguments[i]),
                                                           textOf(expected[i]), textOf(found[i])));

@@ -22,17 +22,18 @@ void Mismatches::expect(const std::string& what, std::uint32_t expected, std::ui
            : fmt::format("{}: expected {} ({:#x}), found {} ({:#x})", what, expected, expected, found, found));
 }
 
-void Mismatches::expect(const std::string& what, capture::Place place, std::uint32_t expected, std::uint32_t found) {
-  require(place, expected);
+void Mismatches::expect(const std::string& what, capture::WordPosition position, std::uint32_t expected,
+                        std::uint32_t found) {
+  require(position, expected);
   expect(what, expected, found);
 }
 
-void Mismatches::require(capture::Place place, std::uint32_t word) {
-  expected_.push_back({capture::ValueType::word, place, static_cast<double>(word), static_cast<double>(word)});
+void Mismatches::require(capture::WordPosition position, std::uint32_t word) {
+  expected_.push_back({capture::ValueType::word, position, static_cast<double>(word), static_cast<double>(word)});
 }
 
-void Mismatches::require(capture::Place place, double low, double high) {
-  expected_.push_back({capture::ValueType::number, place, low, high});
+void Mismatches::require(capture::WordPosition position, double low, double high) {
+  expected_.push_back({capture::ValueType::number, position, low, high});
 }
 
 Finding Mismatches::finding() {

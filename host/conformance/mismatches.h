@@ -14,10 +14,10 @@ class Mismatches {
   /// Counts one more comparison of two numbers for `what`, e.g. "invocation 5, the sum".
   void expect(const std::string& what, std::uint32_t expected, std::uint32_t found);
   /// The same for a word of a buffer, which Finding::expected states.
-  void expect(const std::string& what, capture::Place place, std::uint32_t expected, std::uint32_t found);
+  void expect(const std::string& what, capture::WordPosition position, std::uint32_t expected, std::uint32_t found);
   /// Adds a word or a float to Finding::expected. note() has the comparison.
-  void require(capture::Place place, std::uint32_t word);
-  void require(capture::Place place, double low, double high);
+  void require(capture::WordPosition position, std::uint32_t word);
+  void require(capture::WordPosition position, double low, double high);
 
   /// Returns a failure with the number of mismatches and the first three, or a pass if there is none. Call it last.
   Finding finding();

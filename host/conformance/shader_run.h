@@ -33,7 +33,7 @@ struct ShaderRun {
 inline constexpr std::uint32_t kOutputs = 1;
 
 /// Returns the position of component `k` of the output vector of an invocation.
-constexpr capture::Place outputPlace(std::size_t invocation, std::size_t k) {
+constexpr capture::WordPosition outputPosition(std::size_t invocation, std::size_t k) {
   return {kOutputs, static_cast<std::uint32_t>(4 * invocation + k)};
 }
 

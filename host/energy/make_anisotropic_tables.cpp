@@ -24,7 +24,7 @@ const Lattice kCoarse(987, 610);  // of glass, whose interpolation has larger er
 /// Fractions of the way from the first to the last node of the cosines, azimuths, roughnesses and strengths.
 using Fractions = std::array<double, 4>;
 
-// The light that microfacets scatter at a place of the tables.
+// The light that microfacets scatter at a point of the tables.
 struct Scattering {
   double cosine;
   glm::dvec2 alpha;
@@ -54,10 +54,10 @@ std::vector<double> raisedNodes(double (*quantity)(const Fractions&)) {
   std::vector<double> nodes(grid.size());
   std::vector<TableGrid<4>::Probe> probes;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    nodes[n] = quantity(grid.placeIn(n));
+    nodes[n] = quantity(grid.pointIn(n));
     if (!grid.beginsCell(n)) continue;
     constexpr Fractions kCentre{0.5, 0.5, 0.5, 0.5};
-    probes.push_back({n, kCentre, quantity(grid.placeIn(n, kCentre))});
+    probes.push_back({n, kCentre, quantity(grid.pointIn(n, kCentre))});
   }
   return grid.raised(nodes, probes);
 }
@@ -66,7 +66,8 @@ std::vector<double> raisedNodes(double (*quantity)(const Fractions&)) {
 Boundaries<float> anisotropicBoundaries(bool outside, double part) {
   Boundaries<float> boundaries;
   for (std::size_t m = 0; m < kAnisotropicGlassIors; ++m) {
-    const double place = (static_cast<double>(m) + part) / (kAnisotropicGlassIors - 1), root = place * place / 2;
+    const double position = (static_cast<double>(m) + part) / (kAnisotropicGlassIors - 1),
+                 root = position * position / 2;
     boundaries.add(std::max((1 + root) / (1 - root), kMinVolumeIor), outside);
   }
   return boundaries;
@@ -76,14 +77,14 @@ Boundaries<float> anisotropicBoundaries(bool outside, double part) {
 class AnisotropicGlass {
  public:
   AnisotropicGlass() {
-    const Place steps = quasirandomSteps<5>();
-    Place place{0.5, 0.5, 0.5, 0.5, 0.5};
+    const Point steps = quasirandomSteps<5>();
+    Point point{0.5, 0.5, 0.5, 0.5, 0.5};
     for (std::size_t node = 0; node < kPlane; ++node) {
       addNodes(node);
       if (!grid_.beginsCell(node)) continue;
       for (std::size_t i = 0; i < kProbesOfCell; ++i) {
-        addProbes(node, place);
-        for (std::size_t d = 0; d < 5; ++d) place[d] = std::fmod(place[d] + steps[d], 1);
+        addProbes(node, point);
+        for (std::size_t d = 0; d < 5; ++d) point[d] = std::fmod(point[d] + steps[d], 1);
       }
     }
   }
@@ -91,19 +92,19 @@ class AnisotropicGlass {
   std::vector<double> nodes(std::size_t side) const { return grid_.raised(nodes_[side], probes_[side]); }
 
  private:
-  using Place = TableGrid<5>::Place;
+  using Point = TableGrid<5>::Point;
   using Albedos = std::array<double, kAnisotropicGlassIors>;
 
   static constexpr std::size_t kProbesOfCell = 4;
   static constexpr std::size_t kSize = std::tuple_size_v<AnisotropicGlassTable>, kPlane = kSize / kAnisotropicGlassIors;
 
   // Returns the albedos at all indices of refraction from each side, in a cell of the other dimensions.
-  std::array<Albedos, 2> albedosIn(std::size_t node, const Place& place) const {
-    const Place at = grid_.placeIn(node, place);
+  std::array<Albedos, 2> albedosIn(std::size_t node, const Point& point) const {
+    const Point at = grid_.pointIn(node, point);
     const Scattering scattering = scatteringAt({at[0], at[1], at[2], at[3]}, true, kCoarse);
     std::array<Albedos, 2> sides;
     for (std::size_t side = 0; side < 2; ++side) {
-      scattering.normals.integrateGlass(anisotropicBoundaries(side == 0, place[4]), sides[side]);
+      scattering.normals.integrateGlass(anisotropicBoundaries(side == 0, point[4]), sides[side]);
     }
     return sides;
   }
@@ -113,11 +114,11 @@ class AnisotropicGlass {
       for (std::size_t m = 0; m < kAnisotropicGlassIors; ++m) nodes_[side][m * kPlane + node] = sides[side][m];
     }
   }
-  void addProbes(std::size_t node, const Place& place) {
-    const std::array<Albedos, 2> sides = albedosIn(node, place);
+  void addProbes(std::size_t node, const Point& point) {
+    const std::array<Albedos, 2> sides = albedosIn(node, point);
     for (std::size_t side = 0; side < 2; ++side) {
       for (std::size_t m = 0; m + 1 < kAnisotropicGlassIors; ++m) {
-        probes_[side].push_back({m * kPlane + node, place, sides[side][m]});
+        probes_[side].push_back({m * kPlane + node, point, sides[side][m]});
       }
     }
   }

@@ -56,7 +56,7 @@ std::string sourceOf(const char* name, const std::vector<Node>& nodes, double No
   return text + "};\n";
 }
 
-// The albedos of all boundaries at a place between nodes.
+// The albedos of all boundaries at a point between nodes.
 using GlassAlbedos = std::array<double, 2 * kGlassIors>;
 
 // The boundaries of all indices of refraction, from outside and then from inside.

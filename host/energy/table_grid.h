@@ -13,12 +13,12 @@ namespace candela::energy {
 template <std::size_t kDimensions>
 class TableGrid {
  public:
-  using Place = std::array<double, kDimensions>;
+  using Point = std::array<double, kDimensions>;
 
-  /// The value that interpolation should have in the cell that begins at `node`, at the fractions `place` of its edges.
+  /// The value that interpolation should have in the cell that begins at `node`, at the fractions `point` of its edges.
   struct Probe {
     std::size_t node;
-    Place place;
+    Point point;
     double value;
   };
 
@@ -30,11 +30,11 @@ class TableGrid {
     return size;
   }
 
-  /// Returns a place in the cell that begins at `node`, in fractions of the table's edges.
-  Place placeIn(std::size_t node, const Place& place = {}) const {
-    Place result{};
+  /// Returns a point in the cell that begins at `node`, in fractions of the table's edges.
+  Point pointIn(std::size_t node, const Point& point = {}) const {
+    Point result{};
     for (std::size_t d = 0; d < kDimensions; ++d) {
-      result[d] = (static_cast<double>(node % sizes_[d]) + place[d]) / static_cast<double>(sizes_[d] - 1);
+      result[d] = (static_cast<double>(node % sizes_[d]) + point[d]) / static_cast<double>(sizes_[d] - 1);
       node /= sizes_[d];
     }
     return result;
@@ -54,7 +54,7 @@ class TableGrid {
     std::vector<double> shortfall(nodes.size());
     for (const Probe& probe : probes) {
       double value = 0;
-      for (std::size_t i = 0; i < kCorners; ++i) value += weightOf(i, probe.place) * nodes[corner(i, probe.node)];
+      for (std::size_t i = 0; i < kCorners; ++i) value += weightOf(i, probe.point) * nodes[corner(i, probe.node)];
       for (std::size_t i = 0; i < kCorners; ++i) {
         double& most = shortfall[corner(i, probe.node)];
         most = std::max(most, probe.value - value);
@@ -68,9 +68,9 @@ class TableGrid {
   static constexpr std::size_t kCorners = std::size_t{1} << kDimensions;
 
   // Bit d of a corner's number is set at the upper end of dimension d.
-  static double weightOf(std::size_t number, const Place& place) {
+  static double weightOf(std::size_t number, const Point& point) {
     double weight = 1;
-    for (std::size_t d = 0; d < kDimensions; ++d) weight *= number >> d & 1 ? place[d] : 1 - place[d];
+    for (std::size_t d = 0; d < kDimensions; ++d) weight *= number >> d & 1 ? point[d] : 1 - point[d];
     return weight;
   }
   std::size_t corner(std::size_t number, std::size_t node) const {
@@ -85,7 +85,7 @@ class TableGrid {
   std::array<std::size_t, kDimensions> sizes_;
 };
 
-/// Returns the steps of a sequence of places in a unit cube, the fractions of 1/2 + i step, that has a low discrepancy:
+/// Returns the steps of a sequence of points in a unit cube, the fractions of 1/2 + i step, that has a low discrepancy:
 /// powers of the generalised golden ratio (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
 template <std::size_t kDimensions>
 std::array<double, kDimensions> quasirandomSteps() {

@@ -6,19 +6,19 @@
 #include <limits>
 #include <utility>
 
+#include "host/core/finite.h"
+
 namespace candela::explain {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-bool isFinite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-double share(double difference, double scale) { return scale > 0 ? difference / scale : kInfinity; }
+double ratio(double difference, double scale) { return scale > 0 ? difference / scale : kInfinity; }
 
 double apartOf(double a, double b) {
   if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
   if (!std::isfinite(a) || !std::isfinite(b)) return kInfinity;
-  return share(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
+  return ratio(std::abs(a - b), std::max(std::abs(a), std::abs(b)));
 }
 
 double channelApart(double a, double b) { return std::abs(a - b) <= verify::kAbsoluteTolerance ? 0 : apartOf(a, b); }
@@ -61,7 +61,7 @@ Quantity colour(std::string name, std::optional<glm::dvec3> device, std::optiona
 Quantity vector(std::string name, std::optional<glm::dvec3> device, std::optional<glm::dvec3> reference, double scale) {
   return numbers(std::move(name), device, reference, [=](const glm::dvec3& a, const glm::dvec3& b) {
     if (a == b) return 0.0;
-    return isFinite(a) && isFinite(b) ? share(glm::length(a - b), scale) : kInfinity;
+    return isFinite(a) && isFinite(b) ? ratio(glm::length(a - b), scale) : kInfinity;
   });
 }
 

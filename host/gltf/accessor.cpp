@@ -71,21 +71,21 @@ std::size_t Accessors::count(const Value& reference) {
   return elementsIn(accessor, type).type.count;
 }
 
-/// `place` has bufferView and byteOffset. Counts are below 2^32, strides at most 256 and offsets at most 2^53, so that
+/// `source` has bufferView and byteOffset. Counts are below 2^32, strides at most 256 and offsets at most 2^53, so that
 /// nothing overflows.
-Accessors::Elements Accessors::inView(const Value& place, const ElementType& type) {
-  const BufferView view = buffers_.view(place.require("bufferView"));
+Accessors::Elements Accessors::inView(const Value& source, const ElementType& type) {
+  const BufferView view = buffers_.view(source.require("bufferView"));
   const std::size_t size = type.components * sizeOf(type.component);
   const std::size_t stride = view.stride.value_or(size);
   if (stride < size)
-    place.fail(fmt::format("elements of {} bytes overlap, since they are {} bytes apart", size, stride));
-  const std::uint64_t offset = place.wholeOr("byteOffset", 0);
+    source.fail(fmt::format("elements of {} bytes overlap, since they are {} bytes apart", size, stride));
+  const std::uint64_t offset = source.wholeOr("byteOffset", 0);
   const std::uint64_t end = offset + std::uint64_t{type.count - 1} * stride + size;
   if (end > view.bytes.size()) {
-    place.fail(
+    source.fail(
         fmt::format("{} elements end at byte {} of a buffer view of {} bytes", type.count, end, view.bytes.size()));
   }
-  return {place, type, view.bytes.subspan(static_cast<std::size_t>(offset)), stride};
+  return {source, type, view.bytes.subspan(static_cast<std::size_t>(offset)), stride};
 }
 
 template <class Out>
@@ -120,13 +120,13 @@ void Accessors::applySparse(const Value& accessor, const ElementType& type, std:
 
 void Accessors::readReals(const Elements& elements, NonFinite nonFinite, std::span<float> result) {
   if (!elements.bytes.empty()) copyElements(elements.type, elements.bytes, elements.stride, result);
-  applySparse(elements.place, elements.type, result);
+  applySparse(elements.source, elements.type, result);
   const std::optional<std::size_t> bad = findNonFinite(result, elements.type.components);
   if (!bad) return;
   const std::string message = fmt::format("element {} is not finite", *bad);
-  if (nonFinite == NonFinite::refused) elements.place.fail(message);
-  if (lenientLog_ == nullptr) elements.place.fail(message + "; --lenient reads it as 0");
-  lenientLog_->warn("finite", {}, fmt::format("{}: {}, and is read as 0", elements.place.pointer(), message));
+  if (nonFinite == NonFinite::refused) elements.source.fail(message);
+  if (lenientLog_ == nullptr) elements.source.fail(message + "; --lenient reads it as 0");
+  lenientLog_->warn("finite", {}, fmt::format("{}: {}, and is read as 0", elements.source.pointer(), message));
   zeroNonFinite(result, elements.type.components);
 }
 
@@ -154,7 +154,7 @@ std::vector<std::uint32_t> Accessors::readAllWhole(const Value& reference, std::
   const Elements elements = elementsOf(reference, components);
   std::vector<std::uint32_t> result(elements.type.count * components);
   if (!elements.bytes.empty()) copyElements<std::uint32_t>(elements.type, elements.bytes, elements.stride, result);
-  applySparse<std::uint32_t>(elements.place, elements.type, result);
+  applySparse<std::uint32_t>(elements.source, elements.type, result);
   return result;
 }
 

@@ -15,7 +15,7 @@ namespace candela::gltf {
 enum class NonFinite : std::uint8_t { refused, zero };
 
 /// Every offset, stride and count is checked before a byte is read. All functions take the reference to an accessor,
-/// such as `indices`, and throw PlaceError at the accessor's own place if it is wrong, or at the reference if the
+/// such as `indices`, and throw JsonError at the accessor's own place if it is wrong, or at the reference if the
 /// accessor is not of the type that is needed there. Elements that exceed the memory budget throw OutOfMemoryError.
 /// Elements without a buffer view take no bytes in the file, whose size limits all others. At most 2^24 of them are
 /// read from a file, and 1024 more for each element that was read from a buffer view: those of sparse morph targets.
@@ -46,7 +46,7 @@ class Accessors {
   static constexpr std::size_t kMaxStoredValues = std::size_t{1} << 26;
 
   struct Elements {
-    Value place;
+    Value source;
     ElementType type;
     Bytes bytes;  ///< from the first element on; empty: all elements are 0
     std::size_t stride;
@@ -54,7 +54,7 @@ class Accessors {
   std::size_t indexOf(const Value& reference) const;
   Value accessorOf(const Value& reference) const;
   Elements elementsOf(const Value& reference, std::size_t components);
-  Elements inView(const Value& place, const ElementType& type);
+  Elements inView(const Value& source, const ElementType& type);
   /// The elements of an accessor, all 0 without a buffer view, apart from sparse ones.
   Elements elementsIn(const Value& accessor, const ElementType& type);
   void readReals(const Elements& elements, NonFinite nonFinite, std::span<float> result);

@@ -24,7 +24,7 @@ using Pose = std::map<std::size_t, NodePose>;
 
 /// Evaluates every channel of an animation at `seconds`; before the first and after the last key frame, the values
 /// of that frame apply. `wish` is the name or the index of the animation, and the first one if it is empty. The pose is
-/// empty if there is no animation. Throws PlaceError, and FileError with the names of all animations if none is the
+/// empty if there is no animation. Throws JsonError, and FileError with the names of all animations if none is the
 /// wish.
 Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors);
 

@@ -52,11 +52,11 @@ BufferView Buffers::plainView(const Value& view) {
 }
 
 /// Offset and length are at most 2^53 each, so that their sum does not overflow.
-Bytes Buffers::range(const Value& place, std::uint64_t offset, std::uint64_t length) {
-  const Bytes all = buffer(place.require("buffer"));
-  if (length == 0) place.require("byteLength").fail("a view of 0 bytes");
+Bytes Buffers::range(const Value& source, std::uint64_t offset, std::uint64_t length) {
+  const Bytes all = buffer(source.require("buffer"));
+  if (length == 0) source.require("byteLength").fail("a view of 0 bytes");
   if (offset + length > all.size()) {
-    place.fail(fmt::format("bytes {} to {} of a buffer of {} bytes", offset, offset + length, all.size()));
+    source.fail(fmt::format("bytes {} to {} of a buffer of {} bytes", offset, offset + length, all.size()));
   }
   return all.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(length));
 }
@@ -86,7 +86,7 @@ std::string Buffers::readUri(const Value& uri) {
     const std::filesystem::path path = file_.folder / decodePath(uri);
     guard_.require(path);
     return scene::readFile(path);
-  } catch (const PlaceError&) {
+  } catch (const JsonError&) {
     throw;
   } catch (const FileError& error) {
     uri.fail(error.what());

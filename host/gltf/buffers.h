@@ -30,11 +30,11 @@ class Buffers {
   Buffers(const Value& root, std::optional<std::string_view> binaryChunk, const scene::SceneFile& file,
           const scene::LoadOptions& options);
 
-  /// The view that a property like `bufferView` refers to. Throws PlaceError, at the place of the error, if the view
+  /// The view that a property like `bufferView` refers to. Throws JsonError, at the place of the error, if the view
   /// or its buffer does not fit or cannot be read.
   BufferView view(const Value& reference);
 
-  /// The bytes of a data URI, or of a file that the guard permits. Throws PlaceError at the URI.
+  /// The bytes of a data URI, or of a file that the guard permits. Throws JsonError at the URI.
   std::string readUri(const Value& uri);
 
   /// The other files that readUri() was to read.
@@ -47,7 +47,7 @@ class Buffers {
   Bytes buffer(const Value& reference);
   std::string readBuffer(const Value& buffer);
   BufferView plainView(const Value& view);
-  Bytes range(const Value& place, std::uint64_t offset, std::uint64_t length);
+  Bytes range(const Value& source, std::uint64_t offset, std::uint64_t length);
 
   Value root_;
   std::optional<std::string_view> binaryChunk_;

@@ -20,7 +20,7 @@ struct View {
 
 /// Returns the camera that `wish` names (LoadOptions::camera); without a wish, the first camera of a visible node. A
 /// view that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
-/// `bounds`. Throws PlaceError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
+/// `bounds`. Throws JsonError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
                 const std::optional<Box>& bounds);
 

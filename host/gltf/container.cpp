@@ -72,14 +72,14 @@ nlohmann::json parseJson(const scene::SceneFile& file, std::string_view text) {
 /// Returns the chunk at `offset`, and moves `offset` past it.
 std::string_view takeChunk(std::string_view bytes, std::size_t& offset, std::uint32_t& type) {
   if (bytes.size() - offset < kChunkHeaderSize) {
-    throw PlaceError("GLB", fmt::format("the file ends within a chunk header at byte {}", offset));
+    throw JsonError("GLB", fmt::format("the file ends within a chunk header at byte {}", offset));
   }
   const std::size_t length = wordAt(bytes, offset);
   type = wordAt(bytes, offset + 4);
   offset += kChunkHeaderSize;
   if (length > bytes.size() - offset) {
-    throw PlaceError("GLB", fmt::format("the chunk at byte {} has {} bytes, but the file ends after {}",
-                                        offset - kChunkHeaderSize, length, bytes.size() - offset));
+    throw JsonError("GLB", fmt::format("the chunk at byte {} has {} bytes, but the file ends after {}",
+                                       offset - kChunkHeaderSize, length, bytes.size() - offset));
   }
   const std::string_view chunk = bytes.substr(offset, length);
   offset += length;
@@ -87,18 +87,18 @@ std::string_view takeChunk(std::string_view bytes, std::size_t& offset, std::uin
 }
 
 Container readGlb(const scene::SceneFile& file) {
-  if (file.bytes.size() < kHeaderSize) throw PlaceError("GLB", "the file ends within the header of 12 bytes");
+  if (file.bytes.size() < kHeaderSize) throw JsonError("GLB", "the file ends within the header of 12 bytes");
   const std::uint32_t version = wordAt(file.bytes, 4);
-  if (version != 2) throw PlaceError("GLB", fmt::format("container version {}; only version 2 is supported", version));
+  if (version != 2) throw JsonError("GLB", fmt::format("container version {}; only version 2 is supported", version));
   const std::size_t length = wordAt(file.bytes, 8);
   if (length < kHeaderSize || length > file.bytes.size()) {
-    throw PlaceError("GLB", fmt::format("the header states {} bytes, but the file has {}", length, file.bytes.size()));
+    throw JsonError("GLB", fmt::format("the header states {} bytes, but the file has {}", length, file.bytes.size()));
   }
   const std::string_view bytes = file.bytes.substr(0, length);
   std::size_t offset = kHeaderSize;
   std::uint32_t type = 0;
   const std::string_view text = takeChunk(bytes, offset, type);
-  if (type != kChunkJson) throw PlaceError("GLB", "the first chunk is not JSON");
+  if (type != kChunkJson) throw JsonError("GLB", "the first chunk is not JSON");
   Container container{parseJson(file, text), std::nullopt};
   if (offset < bytes.size()) {
     const std::string_view second = takeChunk(bytes, offset, type);

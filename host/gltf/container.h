@@ -17,7 +17,7 @@ struct Container {
 bool looksLikeGltf(std::string_view bytes);
 
 /// Throws SceneError with line and column of an error in JSON (syntax, UTF-8, numbers beyond double precision, nesting
-/// of more than 256 levels), and PlaceError for a damaged GLB header or chunk.
+/// of more than 256 levels), and JsonError for a damaged GLB header or chunk.
 Container readContainer(const scene::SceneFile& file);
 
 }  // namespace candela::gltf

@@ -28,7 +28,7 @@ struct DracoMesh {
 /// Returns whether this program was built with Draco.
 bool canDecodeDraco();
 
-/// `extension` is the extension's object, `source` the bytes of its buffer view. Throws PlaceError for damaged data and
+/// `extension` is the extension's object, `source` the bytes of its buffer view. Throws JsonError for damaged data and
 /// for attributes that are not in it.
 DracoMesh decodeDraco(const Value& extension, std::span<const std::byte> source);
 

@@ -35,10 +35,10 @@ struct ElementType {
 
 std::size_t sizeOf(Component component);
 
-/// Returns the component type of a number such as 5126. Throws PlaceError.
+/// Returns the component type of a number such as 5126. Throws JsonError.
 Component componentOf(const Value& code);
 
-/// The type of an accessor. Its count is 1 to 2^32 - 1. Throws PlaceError.
+/// The type of an accessor. Its count is 1 to 2^32 - 1. Throws JsonError.
 ElementType elementTypeOf(const Value& accessor);
 
 /// Returns the value of a normalised integer of type Raw, which is given as a float: -1 to 1 or 0 to 1.

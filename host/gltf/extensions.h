@@ -22,7 +22,7 @@ struct UsedExtensions {
   std::vector<std::string> unsupported;
 };
 
-/// Throws PlaceError unless asset.version is 2.x and every required extension is supported. Warns of optional ones that
+/// Throws JsonError unless asset.version is 2.x and every required extension is supported. Warns of optional ones that
 /// are not; with `lenient` also of required ones, unless the geometry cannot be read without them.
 UsedExtensions checkAsset(const Value& root, bool lenient, scene::DiagnosticLog& log);
 

@@ -33,7 +33,7 @@ struct GeometryUse {
 
 /// Reads a primitive of triangles with its morph targets. Of uncompressed vertices, only those that triangles use are
 /// read, if there are more than twice as many vertices as corners: primitives may share one large set of vertices.
-/// Nothing if it has no positions. Throws PlaceError, and OutOfMemoryError before anything is read if the result would
+/// Nothing if it has no positions. Throws JsonError, and OutOfMemoryError before anything is read if the result would
 /// exceed the memory budget.
 std::optional<Geometry> readGeometry(const Value& primitive, const GeometryUse& use, Accessors& accessors,
                                      Buffers& buffers);

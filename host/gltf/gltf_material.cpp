@@ -24,9 +24,9 @@ constexpr std::array kOfMetallicRoughness{"KHR_materials_ior",          "KHR_mat
                                           "KHR_materials_dispersion",   "CANDELA_materials_conductor"};
 
 /// Returns a factor, clamped to 0 to 1 if it is outside by no more than the rounding of a program that wrote it.
-double clampedFraction(const Value& place, double value) {
+double clampedFraction(const Value& source, double value) {
   constexpr double kRounding = 1e-5;
-  if (value < -kRounding || value > 1 + kRounding) place.fail(fmt::format("{} is outside 0 to 1", value));
+  if (value < -kRounding || value > 1 + kRounding) source.fail(fmt::format("{} is outside 0 to 1", value));
   return std::clamp(value, 0.0, 1.0);
 }
 
@@ -38,9 +38,9 @@ double fraction(const Value& object, const char* key, double absent) {
 template <class Vector>
 Vector fractions(const Value& object, const char* key, const Vector& absent) {
   Vector value = object.vectorOr(key, absent);
-  const std::optional<Value> place = object.find(key);
-  for (glm::length_t c = 0; place && c < Vector::length(); ++c) {
-    value[c] = static_cast<float>(clampedFraction(*place, double{value[c]}));
+  const std::optional<Value> source = object.find(key);
+  for (glm::length_t c = 0; source && c < Vector::length(); ++c) {
+    value[c] = static_cast<float>(clampedFraction(*source, double{value[c]}));
   }
   return value;
 }

@@ -69,7 +69,7 @@ struct GltfMaterial {
 /// Reads a `textureInfo`, as Textures::read() does; nothing: the texture is left out.
 using TextureReader = std::function<std::optional<scene::TextureReference>(const Value&)>;
 
-/// Throws PlaceError where a factor is missing or out of range, and the exceptions of `readTexture`.
+/// Throws JsonError where a factor is missing or out of range, and the exceptions of `readTexture`.
 GltfMaterial readMaterial(const Value& material, const TextureReader& readTexture);
 
 }  // namespace candela::gltf

@@ -7,7 +7,7 @@
 namespace candela::gltf {
 
 /// A light of the extension at a node. Candela and lux are taken as W/sr and W/m^2, without the factor 683; `range` is
-/// ignored. Warns of cones with a hard edge. Throws PlaceError.
+/// ignored. Warns of cones with a hard edge. Throws JsonError.
 scene::PunctualLight punctualLight(const Value& light, const glm::dmat4& world, scene::DiagnosticLog& log);
 
 }  // namespace candela::gltf

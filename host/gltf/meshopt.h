@@ -12,7 +12,7 @@ namespace candela::gltf {
 bool canDecodeMeshopt();
 
 /// `extension` is the extension's object, `source` the bytes that it refers to. The result has byteStride times count
-/// bytes. Throws PlaceError for values that the extension does not allow, and for damaged data.
+/// bytes. Throws JsonError for values that the extension does not allow, and for damaged data.
 std::vector<std::byte> decodeMeshopt(const Value& extension, std::span<const std::byte> source);
 
 }  // namespace candela::gltf

@@ -9,7 +9,7 @@
 namespace candela::gltf {
 
 /// The transform of a node relative to its parent: its matrix, or T R S with quaternions of any length. Throws
-/// PlaceError.
+/// JsonError.
 glm::dmat4 localTransform(const Value& node, const NodePose& pose);
 
 /// Returns T R S for a quaternion of any length; length 0 means no rotation.
@@ -17,7 +17,7 @@ glm::dmat4 compose(const glm::dvec3& translation, const glm::dquat& rotation, co
 
 class NodeTree {
  public:
-  /// Throws PlaceError where a node is its own ancestor or has two parents, or where a transform is wrong. A scene that
+  /// Throws JsonError where a node is its own ancestor or has two parents, or where a transform is wrong. A scene that
   /// lists a node with a parent causes a warning if its ancestors do not move it; otherwise an error, or, with
   /// `lenient`, a warning: the node is then placed without them, as other viewers do.
   NodeTree(const Value& root, const Pose& pose, bool lenient, scene::DiagnosticLog& log);

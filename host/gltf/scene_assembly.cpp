@@ -79,7 +79,7 @@ void SceneAssembly::attempt(const Action& action) {
   if (log_.isFull()) return;
   try {
     action();
-  } catch (const PlaceError& error) {
+  } catch (const JsonError& error) {
     log_.error({}, error.what());
   }
 }
@@ -215,15 +215,15 @@ void SceneAssembly::dropUselessOpacity() {
   }
 }
 
-void SceneAssembly::requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies) {
+void SceneAssembly::requireRoom(const Value& source, const scene::Mesh& mesh, std::size_t copies) {
   const std::uint64_t triangles = scene::triangleCount(mesh);
   const std::uint64_t bytes = bytesOf(mesh);
   if (triangles > 0 && copies > (kMaxTriangles - triangleCount_) / triangles) {
-    place.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
+    source.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
   }
   if (copies > (memoryBudget() - byteCount_) / bytes) {
     throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that it may have",
-                                       place.pointer(), memoryBudget() >> 20));
+                                       source.pointer(), memoryBudget() >> 20));
   }
   triangleCount_ += triangles * copies;
   byteCount_ += bytes * copies;

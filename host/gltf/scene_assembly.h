@@ -46,8 +46,8 @@ class SceneAssembly {
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
   void addLight(const Value& node, std::size_t index);
-  /// Counts copies of a mesh before they are made, and throws PlaceError or OutOfMemoryError if there are too many.
-  void requireRoom(const Value& place, const scene::Mesh& mesh, std::size_t copies);
+  /// Counts copies of a mesh before they are made, and throws JsonError or OutOfMemoryError if there are too many.
+  void requireRoom(const Value& source, const scene::Mesh& mesh, std::size_t copies);
   /// One transform relative to the node for each instance; only the identity without EXT_mesh_gpu_instancing.
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;

@@ -105,8 +105,8 @@ std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
   const Value image = root_.require("images")[index];
   try {
     images_.push_back(readImage(image));
-  } catch (const PlaceError& error) {
-    if (!isLenient_) throw PlaceError(error, "; --lenient leaves out textures whose image cannot be read");
+  } catch (const JsonError& error) {
+    if (!isLenient_) throw JsonError(error, "; --lenient leaves out textures whose image cannot be read");
     log_.warn("image", {}, std::string(error.what()) + "; its textures are left out");
     return std::nullopt;
   }

@@ -18,7 +18,7 @@ class Textures {
 
   /// Returns the texture to which a `textureInfo` such as `baseColorTexture` refers. Reads the image unless it was
   /// read before. Returns nothing, with a warning, if the texture has no image, or coordinates that are not read.
-  /// Throws PlaceError, at the place of the error.
+  /// Throws JsonError, at the place of the error.
   std::optional<scene::TextureReference> read(const Value& info);
 
   /// The images that were read, in the order of their first use, to which the references refer.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <span>
 
+#include "host/core/finite.h"
+
 namespace candela::gltf {
 namespace {
 
@@ -34,11 +36,9 @@ struct VertexTransform {
   }
 };
 
-bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-void placeVertex(scene::Mesh& mesh, std::size_t i, const VertexTransform& transform, const Value& place) {
+void placeVertex(scene::Mesh& mesh, std::size_t i, const VertexTransform& transform, const Value& source) {
   mesh.positions[i] = glm::vec3(glm::dvec3(transform.position * glm::dvec4(mesh.positions[i], 1)));
-  if (!isFinite(mesh.positions[i])) place.fail("a vertex is placed beyond the range of single precision");
+  if (!isFinite(mesh.positions[i])) source.fail("a vertex is placed beyond the range of single precision");
   if (!mesh.normals.empty()) mesh.normals[i] = unitOrZero(transform.normal * glm::dvec3(mesh.normals[i]));
   if (mesh.tangents.empty()) return;
   const glm::vec4 tangent = mesh.tangents[i];
@@ -51,7 +51,7 @@ void reverse(scene::Mesh& mesh, std::size_t corner) { std::swap(mesh.indices[cor
 
 /// The weighted mean of the matrices of a vertex's joints; the identity if the weights sum to nothing positive.
 glm::dmat4 blend(const Influences& influences, std::size_t vertex, std::span<const glm::dmat4> joints,
-                 const Value& place) {
+                 const Value& source) {
   glm::dmat4 sum(0);
   double weightSum = 0;
   for (std::size_t set = 0; set < influences.joints.size(); ++set) {
@@ -59,7 +59,7 @@ glm::dmat4 blend(const Influences& influences, std::size_t vertex, std::span<con
       const double weight = influences.weights[set][vertex][c];
       const std::uint32_t joint = influences.joints[set][vertex][c];
       if (joint >= joints.size()) {
-        place.fail(fmt::format("vertex {} has joint {}, but the skin has {}", vertex, joint, joints.size()));
+        source.fail(fmt::format("vertex {} has joint {}, but the skin has {}", vertex, joint, joints.size()));
       }
       sum += weight * joints[joint];
       weightSum += weight;
@@ -90,19 +90,19 @@ void replaceZeroNormals(scene::Mesh& mesh) {
 
 }  // namespace
 
-void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& place) {
+void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& source) {
   const VertexTransform forAll(transform);
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) placeVertex(mesh, i, forAll, place);
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) placeVertex(mesh, i, forAll, source);
   for (std::size_t corner = 0; forAll.mirrors && corner < mesh.indices.size(); corner += 3) reverse(mesh, corner);
   if (!mesh.normals.empty()) replaceZeroNormals(mesh);
 }
 
-void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& place) {
+void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& source) {
   scene::Mesh& mesh = geometry.mesh;
   std::vector<bool> mirrors(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const VertexTransform transform(blend(geometry.influences, i, joints, place));
-    placeVertex(mesh, i, transform, place);
+    const VertexTransform transform(blend(geometry.influences, i, joints, source));
+    placeVertex(mesh, i, transform, source);
     mirrors[i] = transform.mirrors;
   }
   for (std::size_t corner = 0; corner < mesh.indices.size(); corner += 3) {

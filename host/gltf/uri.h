@@ -12,10 +12,10 @@ namespace candela::gltf {
 bool isDataUri(std::string_view uri);
 
 /// Returns the bytes of a data URI (RFC 2397): decoded from base64 (RFC 4648), or characters with %XX decoded. Throws
-/// PlaceError at the place of `uri` if there is no comma, or the data cannot be decoded.
+/// JsonError at the place of `uri` if there is no comma, or the data cannot be decoded.
 std::string decodeDataUri(const Value& uri);
 
-/// Returns the relative path of a URI, with %XX decoded. Throws PlaceError if it has a scheme ("http:"), an
+/// Returns the relative path of a URI, with %XX decoded. Throws JsonError if it has a scheme ("http:"), an
 /// incomplete %XX or a zero byte.
 std::filesystem::path decodePath(const Value& uri);
 

@@ -9,8 +9,6 @@
 namespace candela::gltf {
 
 using Value = JsonValue;
-/// Something at a place in the file is wrong.
-using PlaceError = JsonError;
 
 /// Returns the member `name` of the member `extensions` of an object, if there is one.
 inline std::optional<Value> extensionOf(const Value& object, std::string_view name) {

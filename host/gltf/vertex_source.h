@@ -11,7 +11,7 @@
 
 namespace candela::gltf {
 
-/// The attributes and indices of one element of `primitives`. Functions throw PlaceError.
+/// The attributes and indices of one element of `primitives`. Functions throw JsonError.
 class VertexSource {
  public:
   /// `accessors` must outlive this object.
@@ -46,7 +46,7 @@ class VertexSource {
   std::optional<DracoMesh> draco_;
 };
 
-/// Throws PlaceError at the reference unless the numbers are equal.
+/// Throws JsonError at the reference unless the numbers are equal.
 void requireCount(const Value& reference, std::size_t count, std::size_t expected);
 
 template <class Vector>

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "host/core/errors.h"
+#include "host/core/finite.h"
 #include "host/image/colour_map.h"
 
 namespace candela::image {
@@ -22,8 +23,6 @@ void requireEqualSizes(const Image& a, const Image& reference) {
   throw UsageError(fmt::format("images of different sizes cannot be compared: {} x {} and {} x {} pixels", a.width,
                                a.height, reference.width, reference.height));
 }
-
-bool isFinite(const dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 double sumOf(const dvec3& v) { return v.x + v.y + v.z; }
 

@@ -9,10 +9,9 @@
 namespace candela::scene {
 namespace {
 
-void sortByPlace(std::vector<Diagnostic>& diagnostics) {
+void sortByPosition(std::vector<Diagnostic>& diagnostics) {
   // Line 0 denotes the whole file and comes last.
-  const auto position = [](const Diagnostic& d) { return std::tuple(d.line - 1u, d.column); };
-  std::ranges::stable_sort(diagnostics, {}, position);
+  std::ranges::stable_sort(diagnostics, {}, [](const Diagnostic& d) { return std::tuple(d.line - 1u, d.column); });
 }
 
 }  // namespace
@@ -46,7 +45,7 @@ void DiagnosticLog::warn(const std::string& kind, Position position, std::string
 void DiagnosticLog::throwIfErrors() const {
   if (errorCount_ == 0) return;
   std::vector<Diagnostic> all = errors_;
-  sortByPlace(all);
+  sortByPosition(all);
   if (errorCount_ > kShown) {
     const std::size_t more = errorCount_ - kShown;
     all.push_back(make({}, isFull() ? fmt::format("and at least {} more errors; reading stopped there", more)
@@ -61,7 +60,7 @@ std::vector<Diagnostic> DiagnosticLog::warnings() const {
     all.push_back(warning.first);
     if (warning.count > 1) all.back().message += fmt::format(" (and {} more like it)", warning.count - 1);
   }
-  sortByPlace(all);
+  sortByPosition(all);
   if (unlistedWarnings_ > 0) all.push_back(make({}, fmt::format("and {} more warnings", unlistedWarnings_)));
   return all;
 }

@@ -56,7 +56,7 @@ TEST_CASE("specular factors and the index of refraction are parameters, too") {
       .metalness = 1, .specularColour = {1, 2, 0}, .specularWeight = 0.5f, .ior = 0};
   CHECK(mapped(material).surface == expected);
   material["extensions"]["KHR_materials_specular"]["specularColorFactor"] = {1, -1, 0};
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
 }
 
 TEST_CASE("textures of a surface are those of its slots") {
@@ -106,7 +106,7 @@ TEST_CASE("white light has the attenuation colour after the attenuation distance
   CHECK(absorption.y == 0);
   CHECK(std::exp(-2 * absorption.z) < 1e-37f);
   volume["attenuationDistance"] = 0;
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
 }
 
 TEST_CASE("a clearcoat is the coat of a surface") {
@@ -150,7 +150,7 @@ TEST_CASE("sheen has a colour and a roughness, with textures unless it is black"
   CHECK(textureOf(mapped(material), scene::TextureSlot::sheenColour)->image == 7);
   CHECK(textureOf(mapped(material), scene::TextureSlot::sheenRoughness)->image == 8);
   sheen["sheenColorFactor"] = {0.5, 1.5, 0};
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
 }
 
 TEST_CASE("anisotropy has a strength, a rotation and a texture, along whose coordinates tangents run") {
@@ -171,7 +171,7 @@ TEST_CASE("anisotropy has a strength, a rotation and a texture, along whose coor
   anisotropy.erase("anisotropyTexture");
   CHECK(tangentTextureOf(mapped(material)) == scene::TextureReference{});
   anisotropy["anisotropyStrength"] = 1.5;
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
 }
 
 TEST_CASE("iridescence is a thin film") {
@@ -190,7 +190,7 @@ TEST_CASE("iridescence is a thin film") {
   CHECK(textureOf(mappedFilm, scene::TextureSlot::film)->image == 7);
   CHECK(textureOf(mappedFilm, scene::TextureSlot::filmThickness)->image == 8);
   film["iridescenceIor"] = 0.9;
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
 }
 
 TEST_CASE("dispersion belongs to volumes whose index of refraction exceeds 1") {
@@ -208,7 +208,7 @@ TEST_CASE("dispersion belongs to volumes whose index of refraction exceeds 1") {
   extensions["KHR_materials_dispersion"] = json::object();
   CHECK_FALSE(mapped(material).surface->disperses());
   extensions["KHR_materials_dispersion"] = {{"dispersion", -0.1}};
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
 }
 
 TEST_CASE("a conductor has a complex index of refraction") {
@@ -217,9 +217,9 @@ TEST_CASE("a conductor has a complex index of refraction") {
   conductor = {{"ior", {0.25, 0.5, 1.5}}, {"extinction", {4, 2, 1}}};
   CHECK(mapped(material).surface->conductor == scene::Conductor{{0.25f, 0.5f, 1.5f}, {4, 2, 1}});
   conductor["extinction"] = {4, -1, 0};
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
   conductor = {{"ior", {0, 1, 1}}};
-  CHECK_THROWS_AS(mapped(material), PlaceError);
+  CHECK_THROWS_AS(mapped(material), JsonError);
   CHECK_FALSE(mapped(json::object()).surface->conductor);
 }
 
