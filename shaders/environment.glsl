@@ -45,28 +45,16 @@ uint recordsOfEnds(uint count) {
 }
 
 // Returns the first of `count` intervals whose end is above a number, or the last one. Their ends begin at `row`. The
-// span of the number says in which records the end may be; the binary search among them takes at most 32 iterations,
-// and mostly none.
+// span of the number says in which records the end may be, mostly in one.
 uint chooseInterval(uint row, uint count, uint number, inout uint truncated) {
   uint records = (count + kEndsPerRow - 1u) / kEndsPerRow;
   uint part, lower;
   umulExtended(number, records, part, lower);
   uvec4 spans = sceneRow(row + records + part / kSpansPerRow);
   uvec2 span = part % kSpansPerRow == 0u ? spans.xy : spans.zw;
-  uint low = span.x;
-  uint high = span.y;
-  uint cutShort = low < high ? 1u : 0u;  // docs/driver-workarounds.md section 4
-  while (low < high) {
-    uint middle = (low + high) / 2u;
-    bool right = number >= sceneRow(row + middle).w;
-    low = right ? middle + 1u : low;
-    high = right ? high : middle;
-    cutShort = low < high ? 1u : 0u;
-    if (low >= high) break;
-  }
-  truncated += cutShort;
-  uvec3 passed = uvec3(greaterThanEqual(uvec3(number), sceneRow(row + low).xyz));
-  return min(kEndsPerRow * low + passed.x + passed.y + passed.z, count - 1u);
+  uint record = firstThresholdAbove(number, row, 1u, kEndsPerRow - 1u, span.x, span.y, truncated);
+  uvec3 passed = uvec3(greaterThanEqual(uvec3(number), sceneRow(row + record).xyz));
+  return min(kEndsPerRow * record + passed.x + passed.y + passed.z, count - 1u);
 }
 
 // Chooses a row of texels by one word, and a texel in it by another one.

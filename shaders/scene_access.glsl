@@ -80,14 +80,15 @@ PointLight loadPointLight(uint light) {
   return result;
 }
 
-// Returns the first light whose threshold exceeds the 24-bit number k. The binary search takes at most 32 iterations.
-uint chooseLight(uint k, inout uint truncated) {
-  uint low = 0u;
-  uint high = constants.lightCount - 1u;
+// Returns the first of the thresholds low to high that exceeds a number, or `high`: the choice by a cumulative
+// distribution. Threshold i is word `component` of the record first + stride i. The binary search takes at most 32
+// iterations.
+uint firstThresholdAbove(uint number, uint first, uint stride, uint component, uint low, uint high,
+                         inout uint truncated) {
   uint cutShort = low < high ? 1u : 0u;  // docs/driver-workarounds.md section 4
   while (low < high) {
     uint middle = (low + high) / 2u;
-    bool right = k >= sceneRow(lightRow(middle)).x;
+    bool right = number >= sceneRow(first + stride * middle)[component];
     low = right ? middle + 1u : low;
     high = right ? high : middle;
     cutShort = low < high ? 1u : 0u;
@@ -95,6 +96,11 @@ uint chooseLight(uint k, inout uint truncated) {
   }
   truncated += cutShort;
   return low;
+}
+
+// Chooses a light by a 24-bit number.
+uint chooseLight(uint k, inout uint truncated) {
+  return firstThresholdAbove(k, constants.firstLightRow, kLightRows, 0u, 0u, constants.lightCount - 1u, truncated);
 }
 
 #endif
