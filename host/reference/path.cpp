@@ -133,18 +133,20 @@ dvec3 PathTracer::tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counte
     notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
     if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
 
-    if (depth > settings_.image.rouletteStart) {
-      const double survival = rounding.relative(std::min(1.0, std::sqrt(largestOf(beta))), kRoundingBounds.survival);
-      const bool survives = u.roulette() < survival;
-      rounding.decide(survives);
-      notes.roulette(survival, survives);
-      if (!survives) return radiance;
-      beta /= survival;
-    }
+    if (depth > settings_.image.rouletteStart && !survivesRoulette(beta, u, notes, rounding)) return radiance;
     ray = vertex.rayTowards(next.wi);
     pdf = next.pdf;
     ++counters.bounceRays;
   }
+}
+
+bool PathTracer::survivesRoulette(dvec3& beta, VertexNumbers u, PathNotes& notes, Rounding& rounding) const {
+  const double survival = rounding.relative(std::min(1.0, std::sqrt(largestOf(beta))), kRoundingBounds.survival);
+  const bool survives = u.roulette() < survival;
+  rounding.decide(survives);
+  notes.roulette(survival, survives);
+  if (survives) beta /= survival;
+  return survives;
 }
 
 void PathTracer::mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,

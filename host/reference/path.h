@@ -60,6 +60,8 @@ class PathTracer final : public PixelTracer {
   dvec3 directLight(const Vertex& vertex, VertexNumbers u, const Volumes& volumes, Counters& counters, PathNotes& notes,
                     Rounding& rounding) const;
   Scattering scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
+  /// Plays Russian roulette, and divides the throughput `beta` of a path that survives by the probability.
+  bool survivesRoulette(dvec3& beta, VertexNumbers u, PathNotes& notes, Rounding& rounding) const;
   Scattering scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const;
   Scattering scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u, Rounding& rounding) const;
 
