@@ -8,7 +8,7 @@
 
 // State of the invocation's current grid traversal. Vectors have the driving axis first, which is the axis on which the
 // ray crosses most cells.
-struct GridWalk {
+struct GridTraversal {
   vec3 origin;
   vec3 direction;
   vec3 low;          // lower corner of the grid
@@ -32,7 +32,7 @@ struct GridWalk {
   uint unfinished;   // 1 until the traversal ends: docs/driver-workarounds.md section 4
 };
 
-GridWalk walk;
+GridTraversal traversal;
 
 vec3 drivingFirst(vec3 v, int driving) { return driving == 0 ? v : driving == 1 ? v.yzx : v.zxy; }
 uvec3 drivingFirst(uvec3 v, int driving) { return driving == 0 ? v : driving == 1 ? v.yzx : v.zxy; }
@@ -40,84 +40,84 @@ uvec3 drivingFirst(uvec3 v, int driving) { return driving == 0 ? v : driving == 
 // Computes the distances at which the ray enters and exits the grid's bounds, widened by the traversal's pad.
 void clipToGrid(Ray ray) {
   vec3 inverse = inverseDirection(ray.direction);
-  vec3 t0 = (constants.gridLow - (ray.origin + walk.pad)) * inverse;
-  vec3 t1 = (constants.gridHigh - (ray.origin - walk.pad)) * inverse;
+  vec3 t0 = (constants.gridLow - (ray.origin + traversal.pad)) * inverse;
+  vec3 t1 = (constants.gridHigh - (ray.origin - traversal.pad)) * inverse;
   vec3 far = max(t0, t1);
-  walk.start = max(largest(min(t0, t1)), 0.0);
-  walk.exit = min(far.x, min(far.y, far.z));
+  traversal.start = max(largest(min(t0, t1)), 0.0);
+  traversal.exit = min(far.x, min(far.y, far.z));
 }
 
 // Starts at the slice before the first; nextCell() then enters the first one.
 void startSlices() {
-  float signedPad = walk.inverse < 0.0 ? -walk.pad : walk.pad;
-  walk.nearOrigin = walk.origin.x + signedPad;
-  walk.farOrigin = walk.origin.x - signedPad;
-  float first = walk.farOrigin + walk.start * walk.direction.x;
-  walk.slice = int(clamp((first - walk.low.x) * walk.scale.x, 0.0, walk.lastCell.x));
-  walk.slice -= walk.inverse < 0.0 ? -1 : 1;
-  walk.firstCell = uvec2(0u);
-  walk.endCell = walk.firstCell;
-  walk.cell = walk.firstCell;
+  float signedPad = traversal.inverse < 0.0 ? -traversal.pad : traversal.pad;
+  traversal.nearOrigin = traversal.origin.x + signedPad;
+  traversal.farOrigin = traversal.origin.x - signedPad;
+  float first = traversal.farOrigin + traversal.start * traversal.direction.x;
+  traversal.slice = int(clamp((first - traversal.low.x) * traversal.scale.x, 0.0, traversal.lastCell.x));
+  traversal.slice -= traversal.inverse < 0.0 ? -1 : 1;
+  traversal.firstCell = uvec2(0u);
+  traversal.endCell = traversal.firstCell;
+  traversal.cell = traversal.firstCell;
 }
 
 void startWalk(Ray ray) {
-  walk.pad = (largest(abs(ray.origin)) + constants.gridReach) * (1.0 / 524288.0);
+  traversal.pad = (largest(abs(ray.origin)) + constants.gridReach) * (1.0 / 524288.0);
   clipToGrid(ray);
   vec3 crossed = abs(ray.direction) * constants.gridScale;
   int driving = crossed.x >= crossed.y && crossed.x >= crossed.z ? 0 : crossed.y >= crossed.z ? 1 : 2;
-  walk.origin = drivingFirst(ray.origin, driving);
-  walk.direction = drivingFirst(ray.direction, driving);
-  walk.inverse = inverseDirection(walk.direction).x;
-  walk.low = drivingFirst(constants.gridLow, driving);
-  walk.scale = drivingFirst(constants.gridScale, driving);
-  walk.width = drivingFirst(constants.gridWidth, driving).x;
-  walk.lastCell = vec3(drivingFirst(constants.gridSides, driving) - 1u);
-  walk.strides = drivingFirst(constants.gridStrides, driving);
+  traversal.origin = drivingFirst(ray.origin, driving);
+  traversal.direction = drivingFirst(ray.direction, driving);
+  traversal.inverse = inverseDirection(traversal.direction).x;
+  traversal.low = drivingFirst(constants.gridLow, driving);
+  traversal.scale = drivingFirst(constants.gridScale, driving);
+  traversal.width = drivingFirst(constants.gridWidth, driving).x;
+  traversal.lastCell = vec3(drivingFirst(constants.gridSides, driving) - 1u);
+  traversal.strides = drivingFirst(constants.gridStrides, driving);
   startSlices();
-  walk.item = 0u;
-  walk.itemEnd = 0u;
-  walk.finished = walk.start > walk.exit;
-  walk.unfinished = walk.finished ? 0u : 1u;
+  traversal.item = 0u;
+  traversal.itemEnd = 0u;
+  traversal.finished = traversal.start > traversal.exit;
+  traversal.unfinished = traversal.finished ? 0u : 1u;
 }
 
 // The counterpart of the host's cellAt(), on the two axes other than the driving one.
-uvec2 cellsAt(vec2 x) { return uvec2(clamp((x - walk.low.yz) * walk.scale.yz, vec2(0.0), walk.lastCell.yz)); }
+uvec2 cellsAt(vec2 x) { return uvec2(clamp((x - traversal.low.yz) * traversal.scale.yz, vec2(0.0), traversal.lastCell.yz)); }
 
 void enterNextSlice(float limit) {
-  bool backward = walk.inverse < 0.0;
-  walk.slice += backward ? -1 : 1;
-  float low = walk.low.x + float(walk.slice) * walk.width;
-  float high = walk.low.x + float(walk.slice + 1) * walk.width;
-  float enter = ((backward ? high : low) - walk.nearOrigin) * walk.inverse;
-  float exit = ((backward ? low : high) - walk.farOrigin) * walk.inverse;
-  float end = min(walk.exit, limit);
-  walk.finished = max(enter, walk.start) > end || walk.slice < 0 || float(walk.slice) > walk.lastCell.x;
-  walk.unfinished = walk.finished ? 0u : 1u;
-  vec2 from = walk.origin.yz + max(min(enter, end), walk.start) * walk.direction.yz;
-  vec2 to = walk.origin.yz + max(min(exit, end), walk.start) * walk.direction.yz;
-  walk.firstCell = cellsAt(min(from, to) - walk.pad);
-  walk.endCell = cellsAt(max(from, to) + walk.pad);
-  walk.cell = walk.firstCell;
+  bool backward = traversal.inverse < 0.0;
+  traversal.slice += backward ? -1 : 1;
+  float low = traversal.low.x + float(traversal.slice) * traversal.width;
+  float high = traversal.low.x + float(traversal.slice + 1) * traversal.width;
+  float enter = ((backward ? high : low) - traversal.nearOrigin) * traversal.inverse;
+  float exit = ((backward ? low : high) - traversal.farOrigin) * traversal.inverse;
+  float end = min(traversal.exit, limit);
+  traversal.finished = max(enter, traversal.start) > end || traversal.slice < 0 || float(traversal.slice) > traversal.lastCell.x;
+  traversal.unfinished = traversal.finished ? 0u : 1u;
+  vec2 from = traversal.origin.yz + max(min(enter, end), traversal.start) * traversal.direction.yz;
+  vec2 to = traversal.origin.yz + max(min(exit, end), traversal.start) * traversal.direction.yz;
+  traversal.firstCell = cellsAt(min(from, to) - traversal.pad);
+  traversal.endCell = cellsAt(max(from, to) + traversal.pad);
+  traversal.cell = traversal.firstCell;
 }
 
 // Loads the range of the cell's items. A record of cells stores the starts of three cells and the end of the last, so
 // that a cell takes one load.
 void loadCell() {
-  uint cell = uint(walk.slice) * walk.strides.x + walk.cell.x * walk.strides.y + walk.cell.y * walk.strides.z;
+  uint cell = uint(traversal.slice) * traversal.strides.x + traversal.cell.x * traversal.strides.y + traversal.cell.y * traversal.strides.z;
   uint row = cell / kCellsPerRow;
   uint index = cell - kCellsPerRow * row;
   uvec4 starts = sceneRow(constants.firstStructureRow + row);
-  walk.item = index == 0u ? starts.x : index == 1u ? starts.y : starts.z;
-  walk.itemEnd = index == 0u ? starts.y : index == 1u ? starts.z : starts.w;
+  traversal.item = index == 0u ? starts.x : index == 1u ? starts.y : starts.z;
+  traversal.itemEnd = index == 0u ? starts.y : index == 1u ? starts.z : starts.w;
 }
 
 // Steps to the next cell that the ray may touch before `limit`, or ends the traversal.
 void nextCell(float limit) {
-  bool lineDone = walk.cell.x == walk.endCell.x;
-  bool sliceDone = lineDone && walk.cell.y == walk.endCell.y;
-  walk.cell = lineDone ? uvec2(walk.firstCell.x, walk.cell.y + 1u) : uvec2(walk.cell.x + 1u, walk.cell.y);
+  bool lineDone = traversal.cell.x == traversal.endCell.x;
+  bool sliceDone = lineDone && traversal.cell.y == traversal.endCell.y;
+  traversal.cell = lineDone ? uvec2(traversal.firstCell.x, traversal.cell.y + 1u) : uvec2(traversal.cell.x + 1u, traversal.cell.y);
   if (sliceDone) enterNextSlice(limit);
-  if (!walk.finished) loadCell();
+  if (!traversal.finished) loadCell();
 }
 
 uint gridItem(uint item) {
@@ -128,45 +128,45 @@ uint gridItem(uint item) {
 
 // Performs one iteration: steps to the next cell if the current one has no more items.
 void seekItem(float limit, inout Work work) {
-  if (walk.item == walk.itemEnd) {
+  if (traversal.item == traversal.itemEnd) {
     nextCell(limit);
     work.steps += 1u;
   }
 }
 
-bool hasItem() { return !walk.finished && walk.item < walk.itemEnd; }
+bool hasItem() { return !traversal.finished && traversal.item < traversal.itemEnd; }
 
 uint takeItem(inout Work work) {
   work.steps += 1u;
-  ++walk.item;
-  return gridItem(walk.item - 1u);
+  ++traversal.item;
+  return gridItem(traversal.item - 1u);
 }
 
 void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
   startWalk(ray);
-  while (!walk.finished) {
+  while (!traversal.finished) {
     seekItem(hit.t, work);
     if (hasItem()) {
       uint slot = takeItem(work);
       keepCloser(hit, hitPrimitive(ray, slot), slot);
     }
-    if (walk.finished) break;
+    if (traversal.finished) break;
   }
-  work.truncated += walk.unfinished;
+  work.truncated += traversal.unfinished;
 }
 
 bool anyInGrid(Ray ray, RayEnd end, inout Work work) {
   bool blocked = false;
   startWalk(ray);
-  while (!walk.finished && !blocked) {
+  while (!traversal.finished && !blocked) {
     seekItem(end.distance, work);
     if (hasItem()) {
       uint slot = takeItem(work);
       blocked = occludes(ray, slot, end);
     }
-    if (walk.finished || blocked) break;
+    if (traversal.finished || blocked) break;
   }
-  work.truncated += blocked ? 0u : walk.unfinished;
+  work.truncated += blocked ? 0u : traversal.unfinished;
   return blocked;
 }
 

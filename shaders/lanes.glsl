@@ -46,10 +46,10 @@ void advancePixel(uvec2 inRegion) {
     if (path.depth == 0u) startPath(path, key, pixel);
     uint depth = path.depth;
     Decisions decisions;
-    bool goesOn = extendSample(path, key, work, counts, decisions);
+    bool continues = extendSample(path, key, work, counts, decisions);
     if (kRecordPaths) record(pixelIndex, depth, decisions);
     if (kListsHits && (depth == 1u || kThroughSpecular)) listHit(pixelIndex, sampleIndex, depth, decisions.index);
-    if (!goesOn) {
+    if (!continues) {
       addSample(sums, path.radiance, sampleIndex);
       if (kCountsHits && (depth > 1u || decisions.index != kRecordMiss)) addHit(sums);
       if (kLayerSums != 0u) gatherLayers(path.radiance);

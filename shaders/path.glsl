@@ -235,9 +235,9 @@ bool extendPath(inout Path path, SampleKey key, inout Work work, inout RayCounts
   if (kHasTransparency) path.ray.opacityKey = opacityKey(key, path.depth, false);
   Hit hit = traceClosest(path.ray, work);
   ShadowRay shadow;
-  bool goesOn = shadeHit(path, hit, key, work, counts, decisions, shadow);
+  bool continues = shadeHit(path, hit, key, work, counts, decisions, shadow);
   if (kHasLights && shadow.wanted) decisions.shadow = traceShadow(shadow, path.radiance, work);
-  return goesOn;
+  return continues;
 }
 
 #endif

@@ -24,9 +24,9 @@ void startVertex(Path path, SampleKey key) {
 }
 
 // A direction below the surface ends the path and is not reported. If roulette was played, the direction was above it.
-void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool goesOn) {
+void finishVertex(uint depth, vec3 radiance, Decisions decisions, bool continues) {
   bool played = (traced.throughputStages.w & kTracedRoulette) != 0u;
-  noteStage((goesOn || played ? kTracedScatter : 0u) | (decisions.survived ? kTracedSurvived : 0u));
+  noteStage((continues || played ? kTracedScatter : 0u) | (decisions.survived ? kTracedSurvived : 0u));
   traced.radiance = vec4(radiance, 0.0);
   if (depth <= kTracedVertices) trace.vertices[depth - 1u] = traced;
 }
@@ -42,17 +42,17 @@ void main() {
   Work work = Work(0u, 0u);
   uint segments = 0u;
   uint depth = 0u;
-  bool goesOn = true;
+  bool continues = true;
   bool working = true;
   uint cutShort = 1u;  // docs/driver-workarounds.md section 4
   while (working) {
     depth = path.depth;
     startVertex(path, key);
     Decisions decisions;
-    goesOn = extendPath(path, key, work, counts, decisions);
-    finishVertex(depth, path.radiance, decisions, goesOn);
+    continues = extendPath(path, key, work, counts, decisions);
+    finishVertex(depth, path.radiance, decisions, continues);
     segments += 1u;
-    working = goesOn && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
+    working = continues && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
     if (!working) break;
   }
@@ -60,7 +60,7 @@ void main() {
   pathState = packPath(path, sampleIndex, state.counts);
   counters.truncated += truncated;
   trace.cameraNumbers = sampleGroup(key, 0u);
-  if (!goesOn) {
+  if (!continues) {
     trace.radianceCount = uvec4(floatBitsToUint(path.radiance), depth);
     counters.finishedSamples = 1u;
   }

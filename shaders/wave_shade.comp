@@ -35,7 +35,7 @@ void main() {
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
-  bool goesOn = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
+  bool continues = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
   if (changesLayers) storeLayers(pixelIndex);
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
@@ -48,7 +48,7 @@ void main() {
   if (kListsHits && (depth == 1u || kThroughSpecular)) {
     listHit(pixelIndex, sampleIndexOf(state), depth, decisions.index);
   }
-  if (goesOn) pushPixel(queueOfNextRound(), pixelIndex);
+  if (continues) pushPixel(queueOfNextRound(), pixelIndex);
   else pushPixel(kQueueRenew, pixelIndex);
   if (!kHasLights || !shadow.wanted) return;
   storeShadowRay(pixelIndex, shadow);

@@ -71,8 +71,8 @@ std::uint64_t commonHash(const RunsByHash& runsByHash) {
 }
 
 // Maps the progress of one run to that of all runs.
-render::RenderControl shareOf(const render::RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
-                              std::uint64_t samplesOver) {
+render::RenderControl partOf(const render::RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
+                             std::uint64_t samplesOver) {
   render::RenderControl part = whole;
   if (!whole.progress) return part;
   part.progress = [&whole, runsOver, runs, samplesOver](double fraction, std::uint64_t samples) {
@@ -112,7 +112,7 @@ std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const sc
     const bool wasPrepared = sessions.isPrepared(index);
     render::Session& session = sessions.get(index, measurement.variant.settings);
     const render::SampleRange all{0, measurement.variant.settings.image.sampleCount};
-    if (!session.advance(all, shareOf(control, run, runs, samples))) return {};
+    if (!session.advance(all, partOf(control, run, runs, samples))) return {};
     render::RenderStatistics statistics = session.statistics();
     const std::uint64_t hash = session.film().hash();
     sessions.release(index);

@@ -22,7 +22,7 @@ double processorSeconds() {
 
 double rate(std::uint64_t rays, double seconds) { return seconds > 0 ? 1e-6 * static_cast<double>(rays) / seconds : 0; }
 
-double sharedHits(std::span<const gpu::CastHit> a, std::span<const gpu::CastHit> b, bool exactly) {
+double equalFractionOf(std::span<const gpu::CastHit> a, std::span<const gpu::CastHit> b, bool exactly) {
   std::size_t same = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     same += a[i].found.y == b[i].found.y && (!exactly || a[i].found.x == b[i].found.x);
@@ -52,7 +52,7 @@ std::vector<RayMeasurement> prepare(std::span<RayTracer* const> tracers, std::sp
     tracer->trace();
     std::vector<gpu::CastHit> hits = tracer->hits();
     if (expected.empty()) expected = hits;
-    measurements.push_back({kind, rays.size(), meanSteps(hits), sharedHits(hits, expected, tracer->isExact())});
+    measurements.push_back({kind, rays.size(), meanSteps(hits), equalFractionOf(hits, expected, tracer->isExact())});
   }
   return measurements;
 }

@@ -34,7 +34,7 @@ struct RayMeasurement {
   std::uint32_t kind = gpu::kPrimaryRay;
   std::uint64_t rayCount = 0;
   double stepsPerRay = 0;
-  double share = 1;                        ///< fraction of rays whose hits equal those of the first tracer
+  double equalFraction = 1;                ///< fraction of rays whose hits equal those of the first tracer
   std::vector<double> seconds{};           ///< one per run, ascending
   std::vector<double> processorSeconds{};  ///< user and system time of this process, ascending
 

@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 using statistics::median;
 using statistics::spread;
 
-bool agrees(const RayRow& row) { return row.measurement.share >= row.minShare; }
+bool agrees(const RayRow& row) { return row.measurement.equalFraction >= row.minEqualFraction; }
 
 std::vector<std::string> rayFigures(const RayRow& row) {
   const RayMeasurement& m = row.measurement;

@@ -16,7 +16,7 @@ struct RayRow {
   std::optional<render::SceneLoads> sceneLoads;  ///< absent for another tracer
   std::uint64_t sceneBytes = 0;  ///< size of nodes, primitives and all other data of the scene; 0 for another tracer
   RayMeasurement measurement;
-  double minShare = 1;  ///< minimum fraction of equal hits for which the figures are valid
+  double minEqualFraction = 1;  ///< minimum fraction of equal hits for which the figures are valid
 };
 
 struct RayReport {

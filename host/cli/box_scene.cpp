@@ -37,8 +37,8 @@ double edgeRadius(const generate::View& view) {
 }
 
 void writeColour(NffWriter& out, std::uint32_t depth, std::uint32_t deepest) {
-  const double share = static_cast<double>(depth) / std::max(deepest, 1u);
-  const glm::dvec3 signal = image::magma(1 - share * (1 - kDeepestColour));
+  const double fraction = static_cast<double>(depth) / std::max(deepest, 1u);
+  const glm::dvec3 signal = image::magma(1 - fraction * (1 - kDeepestColour));
   out.surface({{image::srgbDecode(signal.x), image::srgbDecode(signal.y), image::srgbDecode(signal.z)}, 1, 0, 0, 0, 1});
 }
 

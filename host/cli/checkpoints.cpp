@@ -32,7 +32,7 @@ void Checkpoints::writeFiles(const image::Film& film, const render::RenderStatis
   film::writeWork(file_, check, work_);
 }
 
-void Checkpoints::goOn(film::FilmHeader header, const film::WorkReport& lost) {
+void Checkpoints::continueAfterFailure(film::FilmHeader header, const film::WorkReport& lost) {
   header_ = std::move(header);
   before_.add(lost);
 }

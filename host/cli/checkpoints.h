@@ -24,7 +24,7 @@ class Checkpoints {
   bool write(const image::Film& film, const render::RenderStatistics& statistics, double start);
   /// Continues after a failure of the device: `header` is that of the film from now on, and `lost` the work of
   /// the session that failed.
-  void goOn(film::FilmHeader header, const film::WorkReport& lost);
+  void continueAfterFailure(film::FilmHeader header, const film::WorkReport& lost);
   /// The time of the next write, in terms of monotonicSeconds(). It is chosen such that all writes together take at
   /// most 1 % of the time if the next one takes as long as the last. The cost of the first write is not known in
   /// advance.

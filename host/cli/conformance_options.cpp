@@ -23,7 +23,7 @@ std::vector<Option> conformanceOptions() {
     valued({"--seed", kConformance, kGroup, "seed of the random numbers of the cases that render pictures"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.conformance.pictures.seed; }),
     valued({"--alpha", kConformance, kGroup, "false-alarm probability of each case that renders a picture"},
-           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.conformance.pictures.alpha; }),
+           fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.conformance.pictures.alpha; }),
     valued({"--jobs", kConformance, kGroup, "maximum number of child processes at a time; `auto`: one per core"},
            orAbsent(wholeNumber(1, kMaxJobs), "auto"), [](auto& a) -> auto& { return a.conformance.jobs; }),
     valued({"--shuffle", kConformance, kGroup, "run the cases in the order that a seed determines"},

@@ -44,7 +44,7 @@ bool denoiseByOidn(image::Image& image, const image::Film& film, const Log& log)
 void reportLimited(const denoise::LimitedLight& limited, image::Image& image, const Log& log) {
   const std::string text = fmt::format(
       "isolated bright samples in {} of {} pixels were limited, which removed {:.2g} % of the light",
-      limited.pixelCount, image.rgb.size(), 100 * limited.share);
+      limited.pixelCount, image.rgb.size(), 100 * limited.removedFraction);
   addBias(image.metadata, text);
   log.note(text + "; add samples to keep it");
 }

@@ -173,7 +173,7 @@ void setContent(film::FilmHeader& header, const image::Film& film, const scene::
   header.matteNames = matteNamesOf(scene, film);
 }
 
-void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer) {
+void continueWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer) {
   const film::Tracer& tracer = now.tracers.front();
   const bool isKnown = std::ranges::find(film.tracers, tracer) != film.tracers.end();
   if (!isKnown && !mayDiffer) {

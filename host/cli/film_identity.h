@@ -18,7 +18,7 @@ void setContent(film::FilmHeader& header, const image::Film& film, const scene::
 /// Adapts the header of a film to another session that continues it after the device failed: `now` is that of the
 /// session. Throws DeviceLostError if the session's device or driver differs, unless `mayDiffer`; then the film
 /// is marked as mixed.
-void goOnWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer);
+void continueWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer);
 
 /// Returns the samples of each pixel that a job renders. Throws UsageError if --samples exceeds --spp.
 render::SampleRange samplesOf(const RenderJob& job);

@@ -41,7 +41,7 @@ Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest)
           [](const std::uint32_t& value) { return fmt::to_string(value); }};
 }
 
-Notation<double> share(std::string metavar, double lowest, double highest) {
+Notation<double> fraction(std::string metavar, double lowest, double highest) {
   const auto parse = [=](const std::string& word) -> std::optional<double> {
     const bool percent = word.ends_with('%');
     const std::string_view digits = std::string_view(word).substr(0, word.size() - (percent ? 1 : 0));

@@ -31,7 +31,7 @@ Notation<std::uint32_t> wholeNumber(std::uint32_t lowest, std::uint32_t highest)
 template <class Real>
 Notation<Real> realNumber(std::string metavar, Real lowest, Real highest);
 /// A fraction from `lowest` to `highest`, as a number ("0.005") or as a percentage ("0.5%").
-Notation<double> share(std::string metavar, double lowest, double highest);
+Notation<double> fraction(std::string metavar, double lowest, double highest);
 /// "WxH", both from 1 to `highest`.
 Notation<render::Extent> extent(std::string metavar, std::uint32_t highest);
 /// "X,Y", both from 0 to `highest`.

@@ -11,7 +11,7 @@ RenderWatch::RenderWatch(double deadline, const std::atomic<bool>& interrupted, 
       deadline_(deadline),
       thread_([this](const std::stop_token& ended) { run(ended); }) {}
 
-void RenderWatch::goOn() {
+void RenderWatch::resume() {
   const std::scoped_lock lock(mutex_);
   nextWrite_ = nextShow_ = std::numeric_limits<double>::infinity();
   if (writeRequested_ != nullptr) writeRequested_->store(false);

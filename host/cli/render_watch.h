@@ -22,7 +22,7 @@ class RenderWatch {
   bool mustEnd() const { return isInterrupted() || isTimeUp(); }
   bool isTimeUp() const { return monotonicSeconds() >= deadline_; }
   /// Lets the render continue. A request to write from this call on counts as new.
-  void goOn();
+  void resume();
   /// The film is to be written at `time`, of monotonicSeconds().
   void writeAt(double time);
   /// The film is to be shown at `time`, of monotonicSeconds().
@@ -39,7 +39,7 @@ class RenderWatch {
   const std::atomic<bool>& interrupted_;
   std::atomic<bool>* writeRequested_;
   double deadline_;
-  mutable std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than goOn()
+  mutable std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than resume()
   double nextWrite_ = std::numeric_limits<double>::infinity();
   double nextShow_ = std::numeric_limits<double>::infinity();
   std::atomic<bool> stop_{false};

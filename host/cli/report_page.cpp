@@ -56,9 +56,9 @@ std::string agreementSentence(const verify::AgreementReport& agreement) {
 
 void addPaths(const verify::PixelAgreement& paths, Report& page) {
   page.figures.push_back({"Equal pixels at one sample",
-                          fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.share())});
-  page.figures.push_back(
-      {"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit, 100 * paths.litShare())});
+                          fmt::format("{} of {} ({:.3f} %)", paths.equal, paths.pixels, 100 * paths.equalFraction())});
+  page.figures.push_back({"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit,
+                                                          100 * paths.litEqualFraction())});
   page.figures.push_back({"Decidable pixels", paths.decisions.text()});
   page.figures.push_back({"First differences of the other pixels", paths.causesText()});
 }

@@ -80,7 +80,7 @@ std::vector<Option> comparisonOptions() {
     valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
     valued({"--alpha", kCompare, kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
-           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
+           fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     path({"--diff", kCompare, kGroup, "write a picture of the differences: orange where A is brighter, blue where A is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),
     path({"--flip", kCompare, kGroup, "write a picture of the FLIP errors"}, "FILE", [](auto& a) -> auto& { return a.flipFile; }),
   };
@@ -90,9 +90,9 @@ std::vector<Option> verificationOptions() {
   constexpr OptionGroup kGroup = OptionGroup::verification;
   return {
     valued({"--alpha", kVerify, kGroup, "false-alarm probability of the whole run"},
-           share("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
+           fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect"},
-           orAbsent(share("FRACTION", 1e-7, 1), "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
+           orAbsent(fraction("FRACTION", 1e-7, 1), "0.05 %, or 3 times what rounding may cause; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
     valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
     valued({"--time-limit", kVerify, kGroup, "end with fewer samples if the test would take longer than about this time"},

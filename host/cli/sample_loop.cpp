@@ -21,7 +21,7 @@ bool SampleLoop::trace(const render::SampleRange& range, FilmProgress& progress)
     if (watch_.mustEnd()) return false;
     progress.endOfCall();
     const bool mustWrite = watch_.mustWrite();
-    watch_.goOn();
+    watch_.resume();
     pause_(mustWrite);
   }
   progress.endOfCall();

@@ -42,7 +42,7 @@ std::vector<Option> benchmarkOptions() {
     paths({"--sweep", kBench, kGroup, "for scenes: measure each of these values of an option (named without its dashes); if repeated, all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
     valued({"--threshold", kBench, kGroup, "for `compare`: fraction of its speed that a row of the report may lose"},
-           share("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
+           fraction("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
     valued({"--markdown", kBench | kTune | kReport, kGroup, "write the table as Markdown; `-`: to stdout"},
            text("FILE", "a file, or -"), [](auto& a) -> auto& { return a.markdown; }),
     valued({"--svg", kBench | kReport, kGroup, "for scenes and `report`: write a chart of samples per second as SVG; `-`: to stdout"},

@@ -67,8 +67,8 @@ class FilmTrace {
   TracedFilm attempt();
   void begin();
   void load(const image::Film& film);
-  void inherit();
-  void goOn();
+  void startOrResume();
+  void continueSalvagedFilm();
   void advance();
   void pause(bool mustWrite);
   void show();
@@ -97,10 +97,10 @@ class FilmTrace {
   bool isReady_ = false;  ///< the session has the film so far
   film::FilmHeader header_;
   Inheritance inheritance_;
-  std::optional<Checkpoints> checkpoints_;  ///< with --checkpoint, from the first session on
-  std::optional<render::Salvage> kept_;     ///< of the last session that failed
-  film::WorkReport lost_;                   ///< of all sessions that failed
-  std::uint64_t samplesBefore_ = 0;         ///< in the film that the session resumed
+  std::optional<Checkpoints> checkpoints_;   ///< with --checkpoint, from the first session on
+  std::optional<render::Salvage> salvaged_;  ///< of the last session that failed
+  film::WorkReport lost_;                    ///< of all sessions that failed
+  std::uint64_t samplesBefore_ = 0;          ///< in the film that the session resumed
   bool isInterrupted_ = false;
   std::optional<SampleLoop> loop_;  ///< around `session_`
 };
@@ -117,7 +117,7 @@ void FilmTrace::load(const image::Film& film) {
 }
 
 // The first session resumes the film file, if there is one.
-void FilmTrace::inherit() {
+void FilmTrace::startOrResume() {
   header_ = filmHeaderOf(job_, session_->statistics());
   inheritance_ = {range_.first, {}};
   if (reader_) {
@@ -128,19 +128,19 @@ void FilmTrace::inherit() {
 }
 
 // Later sessions continue the film of the previous one.
-void FilmTrace::goOn() {
+void FilmTrace::continueSalvagedFilm() {
   const film::FilmHeader now = filmHeaderOf(job_, session_->statistics());
-  if (kept_->film.counts().samples == 0) {
+  if (salvaged_->film.counts().samples == 0) {
     header_.tracers = now.tracers;
   } else {
-    goOnWith(header_, now, usesReference_);
-    load(kept_->film);
+    continueWith(header_, now, usesReference_);
+    load(salvaged_->film);
   }
-  film::WorkReport work = film::workOf(kept_->statistics);
+  film::WorkReport work = film::workOf(salvaged_->statistics);
   work.runs = 0;
   lost_.add(work);
-  if (checkpoints_) checkpoints_->goOn(header_, work);
-  kept_.reset();
+  if (checkpoints_) checkpoints_->continueAfterFailure(header_, work);
+  salvaged_.reset();
 }
 
 void FilmTrace::begin() {
@@ -152,10 +152,10 @@ void FilmTrace::begin() {
   renderer_ = makeRenderer(arguments, log_);
   session_ = renderer_->prepare(job_.scene, settings_);
   loop_.emplace(*session_, watch_, [this](bool mustWrite) { pause(mustWrite); });
-  if (kept_) {
-    goOn();
+  if (salvaged_) {
+    continueSalvagedFilm();
   } else {
-    inherit();
+    startOrResume();
   }
   isReady_ = true;
 }
@@ -237,15 +237,15 @@ TracedFilm FilmTrace::attempt() {
 
 // Destroys the session after taking its film.
 void FilmTrace::salvage() {
-  if (isReady_) kept_ = session_->salvage();
+  if (isReady_) salvaged_ = session_->salvage();
   auto decided = loop_ ? loop_->takeDecided() : std::nullopt;
-  if (kept_ && decided) kept_->film = std::move(*decided);
+  if (salvaged_ && decided) salvaged_->film = std::move(*decided);
   loop_.reset();
   session_.reset();
   renderer_.reset();
   isReady_ = false;
-  if (kept_) render::requireComplete(kept_->statistics);
-  if (!kept_ && reader_) reader_.emplace(job_.arguments.resume);
+  if (salvaged_) render::requireComplete(salvaged_->statistics);
+  if (!salvaged_ && reader_) reader_.emplace(job_.arguments.resume);
 }
 
 bool FilmTrace::fallBack(const Error& error) {
@@ -260,19 +260,19 @@ bool FilmTrace::rescue(std::filesystem::path& file) {
   file = hasFile() ? job_.arguments.checkpoint : rescueFile(job_.arguments);
   if (file.empty()) return false;
   if (!checkpoints_) checkpoints_.emplace(checkpointsAt(file));
-  return checkpoints_->write(kept_->film, kept_->statistics, monotonicSeconds());
+  return checkpoints_->write(salvaged_->film, salvaged_->statistics, monotonicSeconds());
 }
 
 TracedFilm FilmTrace::giveUp(const Error& error) {
   std::filesystem::path file;
-  const bool hasSamples = kept_ && kept_->film.counts().samples > 0;
+  const bool hasSamples = salvaged_ && salvaged_->film.counts().samples > 0;
   if (hasSamples && !rescue(file)) file.clear();
   DeviceFailure failure{DeviceFailures::codeOf(error), failures_.explain(error, file.string())};
   if (!hasSamples) throw Error(failure.code, failure.message);
   TracedFilm traced;
   traced.result.interrupted = true;
-  traced.result.film = std::move(kept_->film);
-  traced.result.statistics = std::move(kept_->statistics);
+  traced.result.film = std::move(salvaged_->film);
+  traced.result.statistics = std::move(salvaged_->statistics);
   traced.header = headerOf(traced.result.film);
   if (checkpoints_) traced.work = checkpoints_->work();
   traced.isFilmLost = file.empty();

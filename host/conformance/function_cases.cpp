@@ -115,25 +115,25 @@ std::vector<Row> carryingSamples() {
 
 void comparePixel(std::size_t pixel, const image::FilmPixel& host, const image::FilmPixel& found,
                   Mismatches& mismatches) {
-  const auto placeOf = [&](const std::uint32_t& member) {
+  const auto positionOf = [&](const std::uint32_t& member) {
     const std::ptrdiff_t word = &member - reinterpret_cast<const std::uint32_t*>(&found);
     return capture::WordPosition{kOutputs,
                                  static_cast<std::uint32_t>(pixel * kPixelWords + static_cast<std::size_t>(word))};
   };
   const auto compareSum = [&](const char* channel, const image::FixedSum& a, const image::FixedSum& b) {
     for (std::size_t word = 0; word < a.size(); ++word) {
-      mismatches.expect(fmt::format("film of invocation {}, {}, word {}", pixel, channel, word), placeOf(b[word]),
+      mismatches.expect(fmt::format("film of invocation {}, {}, word {}", pixel, channel, word), positionOf(b[word]),
                         a[word], b[word]);
     }
   };
   compareSum("red", host.red, found.red);
   compareSum("green", host.green, found.green);
   compareSum("blue", host.blue, found.blue);
-  mismatches.expect(fmt::format("film of invocation {}, samples", pixel), placeOf(found.sampleCount), host.sampleCount,
-                    found.sampleCount);
-  mismatches.expect(fmt::format("film of invocation {}, bad samples", pixel), placeOf(found.badCount), host.badCount,
+  mismatches.expect(fmt::format("film of invocation {}, samples", pixel), positionOf(found.sampleCount),
+                    host.sampleCount, found.sampleCount);
+  mismatches.expect(fmt::format("film of invocation {}, bad samples", pixel), positionOf(found.badCount), host.badCount,
                     found.badCount);
-  mismatches.expect(fmt::format("film of invocation {}, first bad sample", pixel), placeOf(found.firstBadSample),
+  mismatches.expect(fmt::format("film of invocation {}, first bad sample", pixel), positionOf(found.firstBadSample),
                     host.firstBadSample, found.firstBadSample);
 }
 

@@ -102,7 +102,7 @@ Words nestedBreak(std::uint32_t state, std::uint32_t) {
 
 Words continued(std::uint32_t state, std::uint32_t) {
   std::uint32_t sum = 0, skipped = 0, k = 0;
-  for (bool goesOn = true; goesOn; goesOn = state >> 27 != 5 && k < 200) {
+  for (bool continues = true; continues; continues = state >> 27 != 5 && k < 200) {
     state = nextWord(state);
     ++k;
     const bool isSkipped = state % 4 == 0;

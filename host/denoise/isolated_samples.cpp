@@ -110,7 +110,7 @@ LimitedLight limitIsolatedSamples(PixelStatistics& statistics) {
     }
     after += luminanceOf(pixel);
   }
-  if (before > 0) limited.share = 1 - after / before;
+  if (before > 0) limited.removedFraction = 1 - after / before;
   return limited;
 }
 

@@ -9,7 +9,7 @@ namespace candela::denoise {
 /// The light that limitIsolatedSamples() has taken away.
 struct LimitedLight {
   std::size_t pixelCount = 0;
-  double share = 0;  ///< of the luminance of all pixels that are filtered, 0 to 1
+  double removedFraction = 0;  ///< of the luminance of all pixels that are filtered, 0 to 1
 };
 
 /// Scales the light of pixels that exceed their neighbours because of few samples, and its statistics, as if all

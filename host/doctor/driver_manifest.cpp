@@ -15,7 +15,7 @@ using Json = nlohmann::json;
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
 
 // Returns "parse error at line 1, column 2" of the library's message, whose other parts quote the file.
-std::string placeOf(const Json::parse_error& error) {
+std::string positionOf(const Json::parse_error& error) {
   const std::string message = error.what();
   const std::size_t start = message.find("parse error");
   if (start == std::string::npos) return "parse error";
@@ -51,7 +51,7 @@ DriverManifest readManifest(const std::filesystem::path& file) {
   try {
     interpret(Json::parse(*text), manifest);
   } catch (const Json::parse_error& error) {
-    manifest.problem = "is not JSON: " + placeOf(error);
+    manifest.problem = "is not JSON: " + positionOf(error);
   }
   return manifest;
 }

@@ -7,10 +7,10 @@
 namespace candela::generate {
 namespace {
 
-constexpr double kBallShare = 1.0 / 4;  ///< fraction of the distance between neighbours
-constexpr double kBarShare = 1.0 / 16;
+constexpr double kBallFraction = 1.0 / 4;  ///< fraction of the distance between neighbours
+constexpr double kBarFraction = 1.0 / 16;
 /// A bar begins inside the ball, almost at the maximum depth.
-constexpr double kBarStart = kBallShare * 0.5 * 0.99;
+constexpr double kBarStart = kBallFraction * 0.5 * 0.99;
 
 constexpr Surface kBall{{0.9, 0.9, 0.9}, 0.5, 0.5, 37, 0, 0};
 constexpr std::array<Surface, 3> kBars{
@@ -20,7 +20,7 @@ void writePoint(NffWriter& out, const glm::uvec3& place, std::uint32_t size) {
   const double spacing = 1.0 / size;
   const glm::dvec3 centre = glm::dvec3(place) / static_cast<double>(size);
   out.surface(kBall);
-  out.sphere(centre, kBallShare * spacing);
+  out.sphere(centre, kBallFraction * spacing);
   for (int axis = 0; axis < 3; ++axis) {
     if (place[axis] == size) continue;
     glm::dvec3 from = centre;
@@ -28,7 +28,7 @@ void writePoint(NffWriter& out, const glm::uvec3& place, std::uint32_t size) {
     from[axis] += kBarStart * spacing;
     to[axis] += spacing - kBarStart * spacing;
     out.surface(kBars[static_cast<std::size_t>(axis)]);
-    out.cone(from, kBarShare * spacing, to, kBarShare * spacing);
+    out.cone(from, kBarFraction * spacing, to, kBarFraction * spacing);
   }
 }
 

@@ -96,13 +96,13 @@ void Accessors::applySparse(const Value& accessor, const ElementType& type, std:
   if (count == 0 || count > type.count) {
     sparse->require("count").fail(fmt::format("{} of {} elements are replaced", count, type.count));
   }
-  const Value indexPlace = sparse->require("indices");
-  const ElementType indexType{static_cast<std::size_t>(count), componentOf(indexPlace.require("componentType")), 1,
+  const Value indexSource = sparse->require("indices");
+  const ElementType indexType{static_cast<std::size_t>(count), componentOf(indexSource.require("componentType")), 1,
                               false};
-  requireWhole(indexPlace, indexType);
+  requireWhole(indexSource, indexType);
   ElementType valueType = type;
   valueType.count = indexType.count;
-  const Elements indices = inView(indexPlace, indexType);
+  const Elements indices = inView(indexSource, indexType);
   const Elements values = inView(sparse->require("values"), valueType);
   std::vector<std::uint32_t> targets(indexType.count);
   copyElements<std::uint32_t>(indexType, indices.bytes, indices.stride, targets);
@@ -110,8 +110,8 @@ void Accessors::applySparse(const Value& accessor, const ElementType& type, std:
   copyElements<Out>(valueType, values.bytes, values.stride, replacements);
   for (std::size_t i = 0; i < targets.size(); ++i) {
     if (targets[i] >= type.count || (i > 0 && targets[i] <= targets[i - 1])) {
-      indexPlace.fail(fmt::format("index {} of element {} is not below {}, or not above the one before", targets[i], i,
-                                  type.count));
+      indexSource.fail(fmt::format("index {} of element {} is not below {}, or not above the one before", targets[i], i,
+                                   type.count));
     }
     std::copy_n(replacements.begin() + static_cast<std::ptrdiff_t>(i * type.components), type.components,
                 result.begin() + static_cast<std::ptrdiff_t>(targets[i] * type.components));

@@ -69,7 +69,7 @@ void setMeans(ImageComparison& result, const Sums& sums) {
   result.meanSquaredError = sums.squared / valueCount;
   result.relativeMeanSquaredError = sums.relativeSquared / valueCount;
   result.peakSignalToNoise = 10 * std::log10(valueCount / sums.clampedSquared);
-  result.differingShare = static_cast<double>(result.differingCount) / pixelCount;
+  result.differingFraction = static_cast<double>(result.differingCount) / pixelCount;
 }
 
 nlohmann::ordered_json toJson(const dvec3& v) { return {v.x, v.y, v.z}; }
@@ -122,7 +122,7 @@ std::string toText(const ImageComparison& c) {
                       isIdentical ? "infinite" : fmt::format("{:.2f} dB", c.peakSignalToNoise));
   text += fmt::format("maximum difference    {:.6g} at {} {}\n", c.maximumDifference, c.maximumX, c.maximumY);
   text += fmt::format("pixels that differ    {} ({:.4g} %) by more than {:g} relative and {:g} absolute\n",
-                      c.differingCount, 100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute);
+                      c.differingCount, 100 * c.differingFraction, c.tolerance.relative, c.tolerance.absolute);
   return text;
 }
 
@@ -141,7 +141,7 @@ nlohmann::ordered_json toJson(const ImageComparison& c) {
           {"relativeTolerance", c.tolerance.relative},
           {"absoluteTolerance", c.tolerance.absolute},
           {"differingCount", c.differingCount},
-          {"differingFraction", c.differingShare}};
+          {"differingFraction", c.differingFraction}};
 }
 
 double differenceScale(const Image& a, const Image& reference) {

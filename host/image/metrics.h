@@ -42,7 +42,7 @@ struct ImageComparison {
   DifferenceTolerance tolerance;
   std::uint64_t differingCount = 0;  ///< pixels with a channel beyond the tolerance
   /// differingCount as a fraction of the compared pixels; 0 if there are none.
-  double differingShare = 0;
+  double differingFraction = 0;
 };
 
 /// Throws UsageError if the sizes differ.

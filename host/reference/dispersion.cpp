@@ -7,10 +7,10 @@ namespace candela::reference {
 
 ChannelChoice chooseChannel(const dvec3& throughput, double number) {
   const double sum = throughput.x + throughput.y + throughput.z;
-  const dvec3 shares = sum > 0 ? throughput / sum : dvec3(0, 1, 0);
-  if (number < shares.x) return {0, shares};
-  const bool isGreen = number < shares.x + shares.y || shares.z == 0;
-  return {isGreen ? std::size_t{1} : std::size_t{2}, shares};
+  const dvec3 probabilities = sum > 0 ? throughput / sum : dvec3(0, 1, 0);
+  if (number < probabilities.x) return {0, probabilities};
+  const bool isGreen = number < probabilities.x + probabilities.y || probabilities.z == 0;
+  return {isGreen ? std::size_t{1} : std::size_t{2}, probabilities};
 }
 
 scene::SurfaceParameters inChannel(const scene::SurfaceParameters& surface, std::size_t channel) {

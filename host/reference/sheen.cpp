@@ -48,7 +48,7 @@ dvec3 Sheen::value(const dvec3& wo, const dvec3& wi) const {
   return distribution * masking / (4 * boundedCosine(wo.z) * boundedCosine(wi.z)) * colour_;
 }
 
-double Sheen::share() const { return white_ * std::max({colour_.x, colour_.y, colour_.z}); }
+double Sheen::takenFraction() const { return white_ * std::max({colour_.x, colour_.y, colour_.z}); }
 
 double Sheen::lambda(double cosine) const {
   const double c = boundedCosine(cosine);

@@ -19,7 +19,7 @@ class Sheen {
   /// Returns the directional albedo.
   dvec3 albedo() const { return white_ * colour_; }
   /// Returns the fraction of the light that the sheen takes from the lobes below it.
-  double share() const;
+  double takenFraction() const;
   /// Returns the power of the quotient from which value() follows; 0 without a sheen.
   double steepness() const { return exists() ? 0.5 / alpha_ : 0; }
 

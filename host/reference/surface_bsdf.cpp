@@ -25,8 +25,8 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
       glass_(surface, bases_, microfacets_, wo, outside, 1 - metalness_ - opaque_),
       filmThickness_(surface.filmWeight > 0 ? surface.filmThickness : 0),
       conductor_(surface.conductor) {
-  coat_.share = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
-  coat_.factor = coat_.share / coat_.microfacets.albedo(wo).white;
+  coat_.reflectance = isCoatAlone ? 1 : coatReflectance(surface.coatWeight, wo.z);
+  coat_.factor = coat_.reflectance / coat_.microfacets.albedo(wo).white;
   const SingleScattering single = microfacets_.albedo(wo);
   const double lost = 1 / single.white - 1;
   const dvec3 base(surface.baseColour);
@@ -45,9 +45,9 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
 
 void SurfaceBsdf::weigh(double diffuse, double specular, double glass) {
   const double total = diffuse + specular + glass;
-  const double below = 1 - coat_.share;
+  const double below = 1 - coat_.reflectance;
   const double sheen = image::luminance(sheen_.albedo());
-  if (sheen > 0) sheenProbability_ = below * sheen / (sheen + (1 - sheen_.share()) * total);
+  if (sheen > 0) sheenProbability_ = below * sheen / (sheen + (1 - sheen_.takenFraction()) * total);
   const double base = below - sheenProbability_;
   diffuseProbability_ = total > 0 ? base * diffuse / total : 0;
   glassProbability_ = total > 0 ? base * glass / total : 0;
@@ -59,12 +59,12 @@ BsdfValue SurfaceBsdf::evaluate(const dvec3& wi) const {
   if (wi.z > 0) return evaluateReflection(wi);
   if (!transmits()) return {};
   const BsdfValue transmitted = glass_.evaluate(wo_, wi);
-  return {(1 - coat_.share) * (1 - sheen_.share()) * transmitted.f, glassProbability_ * transmitted.pdf};
+  return {(1 - coat_.reflectance) * (1 - sheen_.takenFraction()) * transmitted.f, glassProbability_ * transmitted.pdf};
 }
 
 BsdfValue SurfaceBsdf::diffuseLobe() const {
-  const double below = sheen_.exists() ? 1 - sheen_.share() : 1;
-  return {below * (1 - coat_.share) / kPi * diffuse_, diffuseProbability_ / kPi};
+  const double below = sheen_.exists() ? 1 - sheen_.takenFraction() : 1;
+  return {below * (1 - coat_.reflectance) / kPi * diffuse_, diffuseProbability_ / kPi};
 }
 
 dvec3 SurfaceBsdf::metalAt(double cosine) const {
@@ -87,18 +87,18 @@ BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
   BsdfValue value{diffuse_ / kPi + reflectance * shape(microfacets_),
                   diffuseProbability_ * wi.z / kPi + reflecting * microfacets_.normalPdf(wo_, h) / (4 * cosine)};
   if (sheen_.exists()) {
-    value.f = (1 - sheen_.share()) * value.f + sheen_.value(wo_, wi);
+    value.f = (1 - sheen_.takenFraction()) * value.f + sheen_.value(wo_, wi);
     value.pdf += sheenProbability_ * capPdf(1);
   }
-  if (coat_.share == 0) return value;
-  value.f = (1 - coat_.share) * value.f + coat_.factor * shape(coat_.microfacets);
-  value.pdf += coat_.share * coat_.microfacets.normalPdf(wo_, h) / (4 * cosine);
+  if (coat_.reflectance == 0) return value;
+  value.f = (1 - coat_.reflectance) * value.f + coat_.factor * shape(coat_.microfacets);
+  value.pdf += coat_.reflectance * coat_.microfacets.normalPdf(wo_, h) / (4 * cosine);
   return value;
 }
 
 SurfaceSample SurfaceBsdf::sample(double choice, const dvec2& u) const {
-  const bool coated = choice < coat_.share;
-  const double sheenEnd = coat_.share + sheenProbability_;
+  const bool coated = choice < coat_.reflectance;
+  const double sheenEnd = coat_.reflectance + sheenProbability_;
   if (!coated && choice < sheenEnd) return {render::Lobe::sheen, sampleCap(u, 1), 0};
   if (!coated && choice < sheenEnd + diffuseProbability_) {
     return {render::Lobe::diffuse, sampleCosineHemisphere(u), 0};

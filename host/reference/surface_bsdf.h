@@ -43,11 +43,11 @@ class SurfaceBsdf {
   SurfaceSample sample(double choice, const dvec2& u) const;
 
  private:
-  /// The layer on top: white microfacets that reflect the fraction `share` of the light.
+  /// The layer on top: white microfacets that reflect the fraction `reflectance` of the light.
   struct Coat {
     Microfacets microfacets;
-    double share;
-    double factor;  ///< `share` and its compensation
+    double reflectance;
+    double factor;  ///< `reflectance` and its compensation
   };
 
   void weigh(double diffuse, double specular, double glass);

@@ -86,11 +86,11 @@ double alphaOf(Texel texel) { return channel(texel, 3) / 65535.0; }
 double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
   if (reference.filter == scene::TextureFilter::nearest) return alphaOf(texelAt(image, reference, st, dvec2(0)));
   const dvec2 limited = glm::lessThan(glm::abs(st), dvec2(kLimit)) == glm::bvec2(true) ? st : dvec2(0);
-  const dvec2 share = glm::fract(limited * dvec2(image.width, image.height) - 0.5);
+  const dvec2 fraction = glm::fract(limited * dvec2(image.width, image.height) - 0.5);
   double alpha = 0;
   for (int corner = 0; corner < 4; ++corner) {
     const dvec2 next(corner % 2, corner / 2);  // a jitter of 1 leads to the next texel
-    const dvec2 weight = glm::mix(1.0 - share, share, next);
+    const dvec2 weight = glm::mix(1.0 - fraction, fraction, next);
     alpha += weight.x * weight.y * alphaOf(texelAt(image, reference, st, next));
   }
   return alpha;

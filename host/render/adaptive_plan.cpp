@@ -84,19 +84,19 @@ std::vector<bool> AdaptivePlan::decide(const image::Film& film, const std::vecto
   const std::vector<std::uint32_t> counts = regions_.countsOf(film);
   const std::vector<double> variances = regions_.variancesOf(film);
   const std::vector<double> deviations = regions_.smoothedDeviations(variances);
-  std::vector<bool> goesOn(counts.size());
+  std::vector<bool> continues(counts.size());
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const Block& block = blocks[regions_.blockOfHalfRegion(i)];
-    const bool mayGoOn = !block.isPending && block.end < maxSamples_ && counts[i] == block.end;
-    goesOn[i] = mayGoOn && counts[i] < neededSamples(variances[i], deviations[i], threshold_);
+    const bool mayContinue = !block.isPending && block.end < maxSamples_ && counts[i] == block.end;
+    continues[i] = mayContinue && counts[i] < neededSamples(variances[i], deviations[i], threshold_);
   }
-  return goesOn;
+  return continues;
 }
 
-void AdaptivePlan::applyDecisions(const std::vector<bool>& goesOn, std::vector<Block>& blocks) const {
-  for (std::size_t i = 0; i < goesOn.size(); ++i) {
+void AdaptivePlan::applyDecisions(const std::vector<bool>& continues, std::vector<Block>& blocks) const {
+  for (std::size_t i = 0; i < continues.size(); ++i) {
     Block& block = blocks[regions_.blockOfHalfRegion(i)];
-    if (!goesOn[i] || block.isDecided) continue;
+    if (!continues[i] || block.isDecided) continue;
     block.isDecided = true;
     block.active = block.end;
     block.end = levelAbove(block.end);
@@ -106,8 +106,8 @@ void AdaptivePlan::applyDecisions(const std::vector<bool>& goesOn, std::vector<B
 // In a merged film, blocks may be at different levels; they are brought to the same level first.
 std::optional<AdaptiveStep> AdaptivePlan::next(const image::Film& film) const {
   std::vector<Block> blocks = blocksOf(film);
-  const std::vector<bool> goesOn = decide(film, blocks);
-  applyDecisions(goesOn, blocks);
+  const std::vector<bool> continues = decide(film, blocks);
+  applyDecisions(continues, blocks);
   AdaptiveStep step{PixelMask(film.pixels().size()), 0, maxSamples_ + 1};
   for (const Block& block : blocks) {
     if (block.isPending || block.isDecided) step.sampleEnd = std::min(step.sampleEnd, block.end);
@@ -116,7 +116,7 @@ std::optional<AdaptiveStep> AdaptivePlan::next(const image::Film& film) const {
   forEachPixel(film, [&](std::uint32_t x, std::uint32_t y, std::uint32_t samples) {
     const Block& block = blocks[regions_.blockAt(x, y)];
     if (block.end != step.sampleEnd || samples < block.active || samples >= block.end) return;
-    if (block.isDecided && !goesOn[regions_.halfRegionAt(x, y)]) return;
+    if (block.isDecided && !continues[regions_.halfRegionAt(x, y)]) return;
     step.pixels[std::size_t{y} * film.width() + x] = true;
     if (block.isDecided) step.indivisible = block.active + 1;
   });

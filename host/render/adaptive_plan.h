@@ -52,7 +52,7 @@ class AdaptivePlan {
   void setRange(Block& block) const;
   std::vector<Block> blocksOf(const image::Film& film) const;
   std::vector<bool> decide(const image::Film& film, const std::vector<Block>& blocks) const;
-  void applyDecisions(const std::vector<bool>& goesOn, std::vector<Block>& blocks) const;
+  void applyDecisions(const std::vector<bool>& continues, std::vector<Block>& blocks) const;
 
   AdaptiveRegions regions_;
   double threshold_;

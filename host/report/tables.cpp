@@ -34,7 +34,7 @@ std::vector<Figure> imageFigures(const Report& report) {
       {"Largest difference", fmt::format("{:.6g} at {}, {}", c.maximumDifference, c.maximumX, c.maximumY)},
       {"Pixels that differ",
        fmt::format("{} ({:.4g} %), by more than {:g} relative and {:g} absolute", c.differingCount,
-                   100 * c.differingShare, c.tolerance.relative, c.tolerance.absolute)}};
+                   100 * c.differingFraction, c.tolerance.relative, c.tolerance.absolute)}};
   if (c.notFiniteCount > 0) figures.push_back({"Not finite", fmt::format("{} pixels, ignored", c.notFiniteCount)});
   return figures;
 }

@@ -114,10 +114,10 @@ nlohmann::ordered_json PixelAgreement::json() const {
   nlohmann::ordered_json json{{"agrees", agree()},
                               {"count", pixels},
                               {"equal", equal},
-                              {"equalFraction", share()},
+                              {"equalFraction", equalFraction()},
                               {"lit", lit},
                               {"litEqual", litEqual},
-                              {"litEqualFraction", litShare()}};
+                              {"litEqualFraction", litEqualFraction()}};
   for (std::size_t i = 0; i < causes.size(); ++i) json["causes"][kCauseNames[i]] = causes[i];
   json["worst"] = {{"difference", worst}, {"x", worstX}, {"y", worstY}};
   json["decisions"] = decisions.json();
@@ -156,7 +156,7 @@ std::string AgreementReport::toText() const {
   if (interrupted) return text + "  interrupted: no verdict\n";
   text += fmt::format(
       "  1 sample: {:.3f} % of {} pixels equal to {:.0e}, {:.3f} % of {} lit pixels; first differences:{}\n",
-      100 * pixels.share(), pixels.pixels, kRelativeTolerance, 100 * pixels.litShare(), pixels.lit,
+      100 * pixels.equalFraction(), pixels.pixels, kRelativeTolerance, 100 * pixels.litEqualFraction(), pixels.lit,
       pixels.causesText());
   text += fmt::format("  {}\n", pixels.decisions.text());
   text += fmt::format("  {} samples, {} tests at p < {:.1e}:\n  {}\n", samples, regions.size(), level,

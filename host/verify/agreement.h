@@ -34,8 +34,8 @@ struct PixelAgreement {
   DecisionTest decisions;
   double referenceMean = 0;  ///< luminance
 
-  double share() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
-  double litShare() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
+  double equalFraction() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
+  double litEqualFraction() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
   /// Returns whether rounding explains all differences.
   bool agree() const { return decisions.agrees(); }
   /// Returns the causes with their counts, and the position of the maximum difference.

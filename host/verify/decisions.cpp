@@ -181,7 +181,7 @@ std::string DecisionTest::summary() const {
 std::vector<std::string> DecisionTest::details() const {
   if (!isPossible) return {};
   std::string undecided = fmt::format("{:.3g} % of {} pixels cannot be decided in single precision",
-                                      100 * undecidableShare(), pixels);
+                                      100 * undecidableFraction(), pixels);
   if (undecidable > 0) undecided += fmt::format(" (amplification up to {:.1e} at vertex {})", amplification, vertex);
   return {undecided, fmt::format("among the others, the device's value is the outlier in {}, a replica's in {} "
                                  "(p = {:.1e})",
@@ -196,7 +196,7 @@ nlohmann::ordered_json DecisionTest::json() const {
   return {{"agrees", isPossible ? nlohmann::ordered_json(agrees()) : nlohmann::ordered_json()},
           {"possible", isPossible},
           {"undecidable", undecidable},
-          {"undecidableFraction", undecidableShare()},
+          {"undecidableFraction", undecidableFraction()},
           {"amplification", amplification},
           {"amplificationVertex", vertex},
           {"replicas", kReplicas},

@@ -43,7 +43,7 @@ struct DecisionTest {
   double level = 0;
 
   bool agrees() const { return pValue >= level; }
-  double undecidableShare() const {
+  double undecidableFraction() const {
     return pixels == 0 ? 0 : static_cast<double>(undecidable) / static_cast<double>(pixels);
   }
   /// Returns the result in one clause.

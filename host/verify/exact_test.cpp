@@ -43,8 +43,8 @@ class DeviceMean {
       const auto more = static_cast<std::uint32_t>(samples - batches_.samples());
       if (!batches_.render(more, kFirstExactLook + look, control)) return false;
       const Estimate mean = estimate();
-      const double information = informationShare(std::sqrt(mean.squaredError), bias,
-                                                  statistics::criticalT(level, mean.degreesOfFreedom));
+      const double information = informationFraction(std::sqrt(mean.squaredError), bias,
+                                                     statistics::criticalT(level, mean.degreesOfFreedom));
       if (information == 1 || look + 1 == kMaxLooks) break;
       const std::uint64_t wanted = nextSamples(batches_.samples(), information, kMaxLooks - 1 - look);
       samples = limit.affordable(watch.lap(), batches_.samples(), wanted);
@@ -75,11 +75,11 @@ Estimate minus(const Estimate& device, const RegionResult& difference) {
 }  // namespace
 
 Region regionOf(const scene::ExactMean& exact, const render::Extent& image) {
-  const auto first = [](float share, std::uint32_t size) {
-    return std::min(static_cast<std::uint32_t>(std::floor(share * static_cast<float>(size))), size - 1);
+  const auto first = [](float fraction, std::uint32_t size) {
+    return std::min(static_cast<std::uint32_t>(std::floor(fraction * static_cast<float>(size))), size - 1);
   };
-  const auto count = [](float share, std::uint32_t size) {
-    return std::max(1u, static_cast<std::uint32_t>(std::lround(share * static_cast<float>(size))));
+  const auto count = [](float fraction, std::uint32_t size) {
+    return std::max(1u, static_cast<std::uint32_t>(std::lround(fraction * static_cast<float>(size))));
   };
   Region region{first(exact.area.x, image.width), first(exact.area.y, image.height), 0, 0, 0,
                 Region::Quantity::luminance};

@@ -68,8 +68,8 @@ class LightTest {
     const double level = statistics::sidakLevel(options_.alpha, testCount_);
     const RegionResult image = compareMeans(0, level);
     if (image.test.standardError == 0 || image.referenceMean == 0) return 1;
-    return informationShare(image.test.standardError, result_.bias * std::abs(image.referenceMean),
-                            statistics::criticalT(level, image.test.degreesOfFreedom));
+    return informationFraction(image.test.standardError, result_.bias * std::abs(image.referenceMean),
+                               statistics::criticalT(level, image.test.degreesOfFreedom));
   }
 
   void takeLook(std::uint32_t look) {
@@ -121,7 +121,7 @@ class LightTest {
 
 }  // namespace
 
-double informationShare(double standardError, double bias, double criticalT) {
+double informationFraction(double standardError, double bias, double criticalT) {
   if (standardError == 0) return 1;
   const double ratio = bias / ((criticalT + statistics::normalQuantile(kPower)) * standardError);
   return std::min(1.0, ratio * ratio);

@@ -64,7 +64,7 @@ LightTestResult testLight(const scene::Scene& scene, const render::RenderSetting
 
 /// Returns the fraction, in (0, 1], of the information that is needed to detect `bias` (in units of the standard error)
 /// with probability kPower at the critical value `criticalT`; 1 if nothing varies.
-double informationShare(double standardError, double bias, double criticalT);
+double informationFraction(double standardError, double bias, double criticalT);
 
 /// Returns the number of samples for the next look: as many as complete the information if it grows with samples, but
 /// limited such that all of `looksLeft` >= 1 looks are useful; at least one more than now.

@@ -32,7 +32,7 @@ std::string pathsText(const VerifyReport& report) {
   return text + fmt::format(
                     "                             {:.3f} % of {} pixels are equal to {:.0e}\n"
                     "                             first differences of the others:{}\n",
-                    100 * paths.share(), paths.pixels, kRelativeTolerance, paths.causesText());
+                    100 * paths.equalFraction(), paths.pixels, kRelativeTolerance, paths.causesText());
 }
 
 std::string lightText(const VerifyReport& report) {

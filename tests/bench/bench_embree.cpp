@@ -15,7 +15,7 @@ using namespace candela::bench;
 namespace {
 
 // Rays near an edge may hit either side of it: maximum fraction of rays that may hit another primitive.
-constexpr double kEdgeShare = 0.01;
+constexpr double kEdgeFraction = 0.01;
 
 RayReport measure(const scene::Scene& scene, const render::RenderSettings& settings, std::uint32_t repeats,
                   const std::string& selector) {
@@ -31,7 +31,7 @@ RayReport measure(const scene::Scene& scene, const render::RenderSettings& setti
   std::size_t place = 0;
   for (RayMeasurement& measurement : measureRays(all, sets, repeats, nullptr)) {
     const std::size_t i = place++ % all.size();
-    RayRow row{scene.name, scene.hash, "Embree", std::nullopt, 0, std::move(measurement), 1 - kEdgeShare};
+    RayRow row{scene.name, scene.hash, "Embree", std::nullopt, 0, std::move(measurement), 1 - kEdgeFraction};
     if (i < tracers.size()) {
       row = {scene.name,
              scene.hash,
@@ -56,7 +56,7 @@ void printRatios(const RayReport& report) {
           rayKindName(row.measurement.kind), row.tracer, nameOf(row.sceneLoads),
           row.measurement.mraysPerSecond() / peer.measurement.mraysPerSecond(),
           row.measurement.mraysPerProcessorSecond() / peer.measurement.mraysPerProcessorSecond(),
-          peer.measurement.share);
+          peer.measurement.equalFraction);
     }
   }
 }

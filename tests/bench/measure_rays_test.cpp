@@ -85,9 +85,9 @@ TEST_CASE("a tracer with other hits has no figures, unless the difference is wit
   RayTracer* const tracers[]{&a, &wrong, &peer};
   auto measurements = measureRays(tracers, setsOf(10, 0), 1, nullptr);
   REQUIRE(measurements.size() == 3);
-  CHECK(measurements[0].share == 1);
-  CHECK(measurements[1].share == Approx(0.9));
-  CHECK(measurements[2].share == Approx(0.9));  // its distances differ, which is permitted for a peer
+  CHECK(measurements[0].equalFraction == 1);
+  CHECK(measurements[1].equalFraction == Approx(0.9));
+  CHECK(measurements[2].equalFraction == Approx(0.9));  // its distances differ, which is permitted for a peer
   RayReport report{"device", "driver", {8, 8}, {64, 64}, 1, {}};
   report.rows.push_back({"room", 1, "bvh2", render::SceneLoads::texel, 1024, measurements[0]});
   CHECK(report.agree());

@@ -50,7 +50,7 @@ TEST_CASE("one bright sample is limited to 8 times the neighbours, and the lost 
   CHECK(double{limited.before.light.x} == Approx(101));
   CHECK(double{limited.after.light.x} == Approx(8));
   CHECK(limited.light.pixelCount == 1);
-  CHECK(limited.light.share == Approx(93.0 / (80 + 101)));
+  CHECK(limited.light.removedFraction == Approx(93.0 / (80 + 101)));
 }
 
 TEST_CASE("a limited pixel has the statistics of samples that are darker by one factor") {
@@ -78,7 +78,7 @@ TEST_CASE("a bright pixel stays where many of its samples are bright") {
     const Limited limited = limit(filmWith(count, 1600));
     CHECK(limited.factor() == 1);
     CHECK(limited.light.pixelCount == 0);
-    CHECK(limited.light.share == 0);
+    CHECK(limited.light.removedFraction == 0);
   }
 }
 
@@ -101,5 +101,5 @@ TEST_CASE("a black image has no isolated light") {
   PixelStatistics statistics = statisticsOf(madeFilm(kSize, kSize, 4, [&](auto, auto) { return black; }));
   const LimitedLight limited = limitIsolatedSamples(statistics);
   CHECK(limited.pixelCount == 0);
-  CHECK(limited.share == 0);
+  CHECK(limited.removedFraction == 0);
 }

@@ -107,7 +107,7 @@ constexpr std::array<std::pair<const char*, VkResult>, 19> kResults{
 struct Fault {
   std::string function;
   unsigned long first = 0;
-  bool goesOn = false;
+  bool continues = false;
   VkResult result = VK_SUCCESS;
 };
 
@@ -124,7 +124,7 @@ Fault parseFault(const std::string& text) {
   std::getline(words, number, ':');
   std::getline(words, result);
   fault.first = std::strtoul(number.c_str(), nullptr, 10);
-  fault.goesOn = !number.empty() && number.back() == '+';
+  fault.continues = !number.empty() && number.back() == '+';
   const auto* known = std::find_if(kResults.begin(), kResults.end(), [&](auto& r) { return result == r.first; });
   const bool isFunction = std::any_of(kNames.begin(), kNames.end(), [&](auto* n) { return fault.function == n; });
   if (known == kResults.end() || !isFunction || fault.first == 0) refuse(text);
@@ -147,7 +147,7 @@ std::optional<VkResult> faultOf(Function function) {
   static const std::vector<Fault> faults = parseFaults();
   const unsigned long number = ++calls[function];
   for (const Fault& fault : faults) {
-    const bool isDue = fault.goesOn ? number >= fault.first : number == fault.first;
+    const bool isDue = fault.continues ? number >= fault.first : number == fault.first;
     if (fault.function != kNames[function] || !isDue) continue;
     if (const char* const log = std::getenv("CANDELA_FAULT_LOG")) {
       std::ofstream(log, std::ios::app) << fault.function << ' ' << number << '\n';

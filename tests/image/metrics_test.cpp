@@ -39,7 +39,7 @@ TEST_CASE("metrics of two pixels are those computed by hand") {
   CHECK(c.maximumX == 1);
   CHECK(c.maximumY == 0);
   CHECK(c.differingCount == 2);
-  CHECK(c.differingShare == 1);
+  CHECK(c.differingFraction == 1);
 }
 
 TEST_CASE("equal images have no difference and infinite PSNR") {
@@ -58,7 +58,7 @@ TEST_CASE("pixels count as different beyond the relative and the absolute tolera
   const Image a = row({{9, 0, 0}, {9.01f, 0, 0}, {1.5f, 0, 0}, {1, 0, 0.51f}, {0, 0, -9.5f}});
   const ImageComparison c = compareImages(a, reference, tolerance);
   CHECK(c.differingCount == 3);
-  CHECK(c.differingShare == Approx(0.6));
+  CHECK(c.differingFraction == Approx(0.6));
   CHECK(c.maximumX == 4);
   // The default: 1e-4 of the reference, or 2^-26.
   CHECK(compareImages(row({{1.00009f, 0, 0x1p-26f}}), row({{1, 0, 0}})).differingCount == 0);
@@ -74,12 +74,12 @@ TEST_CASE("pixels that are not finite are counted and ignored") {
   CHECK(c.mean == glm::dvec3(2));
   CHECK(c.relativeMeanDifference == Approx(1));
   CHECK(c.meanSquaredError == 1);
-  CHECK(c.differingShare == 1);
+  CHECK(c.differingFraction == 1);
 
   const ImageComparison none = compareImages(row({{kNanPixel, 0, 0}}), row({{0, 0, 0}}));
   CHECK(none.notFiniteCount == 1);
   CHECK(none.meanSquaredError == 0);
-  CHECK(none.differingShare == 0);
+  CHECK(none.differingFraction == 0);
 }
 
 TEST_CASE("images of different sizes are refused") {

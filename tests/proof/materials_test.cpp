@@ -25,8 +25,8 @@ constexpr int kFiner = 2;  // times as many columns in quadrature: towards the h
 
 struct SmoothMaterial {
   scene::Material material;
-  double glossyShare;      // probability of the glossy lobe
-  double dielectricShare;  // and of the dielectric
+  double glossyProbability;      // probability of the glossy lobe
+  double dielectricProbability;  // and of the dielectric
 };
 
 const std::vector<SmoothMaterial> kSmooth{{diffuseMaterial({0.8f, 0.5f, 0.2f}), 0, 0},
@@ -124,8 +124,8 @@ TEST_CASE("densities integrate to 1, including directions below the surface and 
     double above = 0;
     for (std::size_t i = 0; i < values.size(); ++i) above += values[i].pdf * grid.points()[i].solidAngle;
     const SmoothMaterial& smooth = kSmooth[material];
-    const double below = smooth.glossyShare > 0 ? shareBelow(smooth.material.glossy->exponent, wo) : 0;
-    CHECK(above + smooth.glossyShare * below + smooth.dielectricShare == Approx(1).margin(5e-4));
+    const double below = smooth.glossyProbability > 0 ? shareBelow(smooth.material.glossy->exponent, wo) : 0;
+    CHECK(above + smooth.glossyProbability * below + smooth.dielectricProbability == Approx(1).margin(5e-4));
   });
 }
 

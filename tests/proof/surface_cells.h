@@ -98,7 +98,7 @@ class Half {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const dvec3& wi = samples[i].wi;
       if (samples[i].lobe == render::Lobe::none || !contains(wi)) continue;
-      if (coins[i].x < highlightShare(wi)) {
+      if (coins[i].x < highlightFraction(wi)) {
         highlight.add(slopes_->placeOf(wi));
         continue;
       }
@@ -122,7 +122,7 @@ class Half {
   }
 
   // Returns the probability with which a direction belongs to the cells of the highlight.
-  double highlightShare(const dvec3& wi) const {
+  double highlightFraction(const dvec3& wi) const {
     if (!slopes_ || !hasBoth()) return slopes_ ? 1 : 0;
     const double ratio = slopes_->spreadAt(wi) / (2 * std::numbers::pi);
     return 1 / (1 + ratio * ratio);
@@ -131,7 +131,7 @@ class Half {
   void addSlopes() {
     points_ = slopes_->points();
     highlightPoints_ = points_.size();
-    for (QuadraturePoint& point : points_) point.solidAngle *= highlightShare(point.direction);
+    for (QuadraturePoint& point : points_) point.solidAngle *= highlightFraction(point.direction);
   }
 
   void addHemisphere() {
@@ -139,7 +139,7 @@ class Half {
     for (QuadraturePoint point : hemisphere.points()) {
       if (transmitted_) point.direction.z = -point.direction.z;
       point.direction = case_.fromLocal(point.direction);
-      point.solidAngle *= 1 - highlightShare(point.direction);
+      point.solidAngle *= 1 - highlightFraction(point.direction);
       points_.push_back(point);
     }
   }

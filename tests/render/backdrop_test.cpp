@@ -125,10 +125,10 @@ TEST_CASE("backdrops have the reference's pixels, and the wavefront the megakern
     const render::RenderResult onDevice = renderOnDevice(b.scene, settings);
     const render::RenderResult onReference = renderOnReference(b.scene, settings);
     const verify::PixelAgreement pixels = verify::comparePixels(onDevice, onReference);
-    CAPTURE(pixels.share(), pixels.litShare(), pixels.lit);
+    CAPTURE(pixels.equalFraction(), pixels.litEqualFraction(), pixels.lit);
     CHECK(pixels.lit > pixels.pixels / 10);
-    CHECK(pixels.share() >= kRequiredShare);
-    CHECK(pixels.litShare() >= kRequiredLitShare);
+    CHECK(pixels.equalFraction() >= kRequiredEqualFraction);
+    CHECK(pixels.litEqualFraction() >= kRequiredLitEqualFraction);
     const image::Film& device = onDevice.film;
     const image::Film& reference = onReference.film;
     std::size_t otherHits = 0;

@@ -23,10 +23,10 @@ void requireSamePixels(const scene::Scene& scene, render::RenderSettings setting
   settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
                                                               renderOnReference(scene, settings));
-  CAPTURE(scene.name, settings.image.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit, pixels.causes,
-          pixels.worst, pixels.worstX, pixels.worstY);
-  CHECK(pixels.share() >= kRequiredShare);
-  CHECK(pixels.litShare() >= kRequiredLitShare);
+  CAPTURE(scene.name, settings.image.nextEventEstimation, pixels.equalFraction(), pixels.litEqualFraction(), pixels.lit,
+          pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
+  CHECK(pixels.equalFraction() >= kRequiredEqualFraction);
+  CHECK(pixels.litEqualFraction() >= kRequiredLitEqualFraction);
 }
 
 void requireSameScenes(std::uint32_t side, bool nextEventEstimation) {

@@ -53,7 +53,7 @@ TEST_CASE("both tracers have the same layers at one sample") {
     const scene::Scene scene = loadTestScene(name);
     const Channels device(renderOnDevice(scene, layerSettings(64, 1)).film);
     const Channels reference(renderOnReference(scene, layerSettings(64, 1)).film);
-    CHECK(static_cast<double>(differingPixels(device, reference, 1e-4)) <= (1 - kRequiredShare) * 64 * 64);
+    CHECK(static_cast<double>(differingPixels(device, reference, 1e-4)) <= (1 - kRequiredEqualFraction) * 64 * 64);
   }
 }
 

@@ -62,8 +62,8 @@ TEST_CASE("brute force over 8,000 primitives equals the reference, whatever the 
   const render::RenderResult free = renderOnDevice(scene, settings);
   CHECK(free.statistics.structure == render::AccelKind::none);
   const verify::PixelAgreement pixels = verify::comparePixels(free, renderOnReference(scene, settings));
-  CHECK(pixels.share() >= kRequiredShare);
-  CHECK(pixels.litShare() >= kRequiredLitShare);
+  CHECK(pixels.equalFraction() >= kRequiredEqualFraction);
+  CHECK(pixels.litEqualFraction() >= kRequiredLitEqualFraction);
   settings.execution.segmentsPerDispatch = 1;
   CHECK(renderOnDevice(scene, settings).film.hash() == free.film.hash());
   settings.structure.accel = render::AccelKind::bvh;
@@ -84,8 +84,8 @@ TEST_CASE("paths of thousands of segments equal the reference, whatever the segm
     settings.execution.segmentsPerDispatch = segments;
     const render::RenderResult device = renderOnDevice(scene, settings);
     const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
-    CHECK(pixels.share() >= kRequiredShare);
-    CHECK(pixels.litShare() >= kRequiredLitShare);
+    CHECK(pixels.equalFraction() >= kRequiredEqualFraction);
+    CHECK(pixels.litEqualFraction() >= kRequiredLitEqualFraction);
     CHECK((hash == 0 || hash == device.film.hash()));
     hash = device.film.hash();
   }

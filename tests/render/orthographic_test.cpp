@@ -19,10 +19,11 @@ void requireParallelPixels(const scene::Scene& scene, render::RenderSettings set
   settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
                                                               renderOnReference(scene, settings));
-  CAPTURE(scene.name, pixels.share(), pixels.litShare(), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
+  CAPTURE(scene.name, pixels.equalFraction(), pixels.litEqualFraction(), pixels.causes, pixels.worst, pixels.worstX,
+          pixels.worstY);
   CHECK(pixels.lit > pixels.pixels / 4);
-  CHECK(pixels.share() >= kRequiredShare);
-  CHECK(pixels.litShare() >= kRequiredLitShare);
+  CHECK(pixels.equalFraction() >= kRequiredEqualFraction);
+  CHECK(pixels.litEqualFraction() >= kRequiredLitEqualFraction);
 }
 
 }  // namespace

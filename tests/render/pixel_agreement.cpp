@@ -11,11 +11,11 @@ void checkPixelsAgree(const scene::Scene& scene, render::RenderSettings settings
   settings.execution.recordPaths = true;
   const verify::PixelAgreement pixels = verify::comparePixels(renderOnDevice(scene, settings),
                                                               renderOnReference(scene, settings));
-  CAPTURE(settings.image.seed, settings.image.nextEventEstimation, pixels.share(), pixels.litShare(), pixels.lit,
-          pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
+  CAPTURE(settings.image.seed, settings.image.nextEventEstimation, pixels.equalFraction(), pixels.litEqualFraction(),
+          pixels.lit, pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
   CHECK(static_cast<double>(pixels.lit) > lit * static_cast<double>(pixels.pixels));
-  CHECK(pixels.share() >= kRequiredShare);
-  CHECK(pixels.litShare() >= kRequiredLitShare);
+  CHECK(pixels.equalFraction() >= kRequiredEqualFraction);
+  CHECK(pixels.litEqualFraction() >= kRequiredLitEqualFraction);
 }
 
 }  // namespace candela::device

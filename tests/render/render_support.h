@@ -13,8 +13,8 @@ namespace candela::device {
 
 /// Pixels that must be equal at one sample in the scenes of the tests, whose rounding is not amplified: of all pixels,
 /// and of those that are lit on either side. And the relative difference of image means of many samples.
-inline constexpr double kRequiredShare = 0.99;
-inline constexpr double kRequiredLitShare = 0.97;
+inline constexpr double kRequiredEqualFraction = 0.99;
+inline constexpr double kRequiredLitEqualFraction = 0.97;
 inline constexpr double kMeanTolerance = 1e-3;
 
 /// The files of scenes/, sorted.

@@ -226,7 +226,7 @@ TEST_CASE("a room with lights on its surfaces has the reference's pixels") {
                                                               renderOnReference(room(), settings));
   CAPTURE(pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
   CHECK(pixels.lit > pixels.pixels / 2);
-  CHECK(pixels.share() > kRequiredShare);
+  CHECK(pixels.equalFraction() > kRequiredEqualFraction);
   CHECK(pixels.causes[static_cast<std::size_t>(verify::Cause::shadow)] <= 2);
 }
 

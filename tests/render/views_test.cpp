@@ -69,7 +69,7 @@ void checkClose(const dvec3& value, const dvec3& expected) {
   CHECK(glm::distance(value, expected) < 2e-4);
 }
 
-double samePrimitiveShare(const render::RenderResult& a, const render::RenderResult& b) {
+double samePrimitiveFraction(const render::RenderResult& a, const render::RenderResult& b) {
   std::size_t same = 0;
   for (std::size_t i = 0; i < a.paths.size(); ++i) same += a.paths[i].vertices[0] == b.paths[i].vertices[0];
   return static_cast<double>(same) / static_cast<double>(a.paths.size());
@@ -81,9 +81,9 @@ void requireReferencesPixels(const scene::Scene& scene, render::Integrator integ
   const render::RenderResult reference = renderOnReference(scene, settings);
   const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
   CAPTURE(scene.name, static_cast<int>(integrator), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
-  CHECK(pixels.share() >= 0.999);
+  CHECK(pixels.equalFraction() >= 0.999);
   CHECK(pixels.lit > pixels.pixels / 2);
-  CHECK(samePrimitiveShare(device, reference) >= 0.999);
+  CHECK(samePrimitiveFraction(device, reference) >= 0.999);
   CHECK(device.statistics.vertices == Approx(reference.statistics.vertices).epsilon(1e-3));
   CHECK(device.statistics.shadowRays == Approx(reference.statistics.shadowRays).epsilon(1e-3));
   CHECK(device.statistics.bounceRays == 0);

@@ -33,8 +33,8 @@ void requireAgreement(const scene::Scene& scene, const render::RenderSettings& s
   const render::RenderResult device = renderOnDevice(scene, settings);
   const render::RenderResult reference = renderOnReference(scene, settings);
   const verify::PixelAgreement pixels = verify::comparePixels(device, reference);
-  CAPTURE(scene.name, pixels.share(), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
-  CHECK(pixels.share() >= share);
+  CAPTURE(scene.name, pixels.equalFraction(), pixels.causes, pixels.worst, pixels.worstX, pixels.worstY);
+  CHECK(pixels.equalFraction() >= share);
   CHECK(shareOfEqualFirstPrimitives(device.paths, reference.paths) >= 0.999);
   const render::RenderStatistics& a = device.statistics;
   const render::RenderStatistics& b = reference.statistics;

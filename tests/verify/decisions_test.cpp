@@ -49,7 +49,7 @@ TEST_CASE("a correct device is odd no more often than a replica, whatever roundi
       const DecisionTest test = runDecisions(allAlike({.left = 1, .right = 0.25, .share = share}), seed, device).test;
       CAPTURE(share, seed, test.odd, test.oddDevice, test.pValue);
       CHECK(test.agrees());
-      CHECK(test.undecidableShare() == Approx(1 - (1 - share) * (1 - share)).margin(0.03));
+      CHECK(test.undecidableFraction() == Approx(1 - (1 - share) * (1 - share)).margin(0.03));
     }
   }
 }
@@ -98,7 +98,7 @@ TEST_CASE("a scene without decidable samples agrees, and the report says so") {
   const auto device = [](const MadePixel&, std::uint32_t x, std::uint32_t) { return 1.0 + x; };
   std::vector<MadePixel> pixels = allAlike({.left = 1, .right = 2, .share = 0.5});
   const DecisionTest test = runDecisions(pixels, 3, device).test;
-  CHECK(test.undecidableShare() > 0.7);
+  CHECK(test.undecidableFraction() > 0.7);
   CHECK(test.agrees());
   CHECK_THAT(test.text(), Contains("cannot be decided in single precision (amplification up to 1.0e+02 at vertex 3)"));
 }

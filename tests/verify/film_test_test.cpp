@@ -15,7 +15,7 @@ struct FilmOptions {
   std::uint32_t side = 16;
   std::uint32_t samples = 16;
   double factor = 1;
-  double fireflyShare = 0;  ///< of the samples; a firefly adds 500, and the mean stays
+  double fireflyFraction = 0;  ///< of the samples; a firefly adds 500, and the mean stays
 };
 
 // Exponentially distributed samples of mean 1 (skewed, as radiance is), with fireflies on request.
@@ -23,7 +23,7 @@ image::Image noisyFilm(std::uint32_t seed, const FilmOptions& options) {
   constexpr double kFirefly = 500;
   std::mt19937 random(seed);
   std::exponential_distribution<double> noise;
-  std::bernoulli_distribution isFirefly(options.fireflyShare);
+  std::bernoulli_distribution isFirefly(options.fireflyFraction);
   image::Film film(options.side, options.side);
   for (std::uint32_t y = 0; y < options.side; ++y) {
     for (std::uint32_t x = 0; x < options.side; ++x) {
@@ -96,8 +96,8 @@ TEST_CASE("films of equal light raise no alarm at the default level, and the exp
 }
 
 TEST_CASE("fireflies that one side has not seen yet raise no alarm") {
-  const FilmOptions few{.samples = 8, .fireflyShare = 5e-4};
-  const FilmOptions many{.samples = 128, .fireflyShare = 5e-4};
+  const FilmOptions few{.samples = 8, .fireflyFraction = 5e-4};
+  const FilmOptions many{.samples = 128, .fireflyFraction = 5e-4};
   CHECK(falseAlarmsOf(200, few, few, 0.05) <= 21);
   CHECK(falseAlarmsOf(100, few, many, 0.05) <= 10);
 }

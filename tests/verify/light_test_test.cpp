@@ -109,8 +109,8 @@ TEST_CASE("an interrupted run has no verdict") {
 }
 
 TEST_CASE("looks grow at least twofold towards the required information") {
-  CHECK(informationShare(1, 1, 2) == Approx(std::pow(1 / (2 + 2.3263479), 2)));
-  CHECK(informationShare(0.1, 1, 2) == 1);
+  CHECK(informationFraction(1, 1, 2) == Approx(std::pow(1 / (2 + 2.3263479), 2)));
+  CHECK(informationFraction(0.1, 1, 2) == 1);
   CHECK(nextSamples(10, 0.5, 7) == 20);
   CHECK(nextSamples(100, 0.9, 7) == 123);
   CHECK(nextSamples(100, 0.01, 1) == 11000);

@@ -26,7 +26,7 @@ const VerifyReport& mirrorCell() {
 TEST_CASE("in a cell of mirrors, question 1 can decide no sample and raises no alarm", "[swiftshader-slow]") {
   const PixelAgreement& paths = mirrorCell().paths;
   CAPTURE(paths.decisions.text());
-  CHECK(paths.decisions.undecidableShare() > 0.99);
+  CHECK(paths.decisions.undecidableFraction() > 0.99);
   CHECK(paths.decisions.odd == 0);
   CHECK(paths.agree());
 }
