@@ -39,7 +39,7 @@ TEST_CASE("capture refuses what it cannot capture, and says what to do instead")
            {{scene, "-o", output, "--pixel", "1,1", "--device", "nosuch"}, 4, "nosuch"}}) {
     std::vector<std::string> words{"capture"};
     words.insert(words.end(), refusal.words.begin(), refusal.words.end());
-    const ProgramResult result = runCandela(words);
+    const ProgramResult result = runCandela(words, withDrivers());
     CAPTURE(refusal.words);
     CHECK(result.exitCode == refusal.exitCode);
     CHECK_THAT(result.err, Contains(refusal.message));

@@ -13,7 +13,7 @@ ProgramResult refuse(const std::vector<std::string>& options) {
   const TemporaryFolder folder;
   std::vector<std::string> words{"explain", folder.write("a.p3f", smallScene()), "--device", "nosuch"};
   words.insert(words.end(), options.begin(), options.end());
-  ProgramResult result = runCandela(words);
+  ProgramResult result = runCandela(words, withDrivers());
   CHECK(folder.fileCount() == 1);
   CHECK(result.out.empty());
   return result;

@@ -28,6 +28,10 @@ struct Surroundings {
   std::chrono::milliseconds writeRequestsFrom{0};
 };
 
+/// Surroundings for command lines that load the machine's drivers. Drivers leak when they are unloaded, in modules that
+/// the leak sanitizer can then no longer name to suppress them.
+inline Surroundings withDrivers() { return {.environment = {"ASAN_OPTIONS=detect_leaks=0"}}; }
+
 /// Runs candela with `words`, stdin empty, without stored tuning unless the surroundings have it. Throws
 /// std::runtime_error if it cannot be started or takes over five minutes.
 ProgramResult runCandela(const std::vector<std::string>& words, const Surroundings& surroundings = {});
