@@ -1,4 +1,4 @@
-// interesting.sh, and reductions of a planted fault by spirv-reduce with it.
+// interesting.sh and reduce.sh, and reductions of a planted fault.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -103,6 +103,31 @@ TEST_CASE("interesting.sh ignores what only undefined values and operations caus
   REQUIRE(runIn(output, {}, "spirv-as --target-env vulkan1.2 module.txt -o undefined.spv").exitCode == 0);
   CHECK(runIn(output, mutated, "AS_IS=1 ./interesting.sh undefined.spv").exitCode == 0);
   CHECK(runIn(output, mutated, "./interesting.sh undefined.spv").exitCode == 1);
+}
+
+TEST_CASE("reduce.sh reduces a leaf case with a planted fault to less than half of its instructions") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"}, miscompiled(kBorrowsInsteadOfCarrying));
+  compileReproducer(output);
+  const std::vector<std::string> faulty = secondWith(kBorrowsInsteadOfCarrying);
+  const ProgramResult result = runIn(output, faulty, "./reduce.sh module_0.spv reduced.spv");
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(instructionsIn(output, "reduced.spv") < instructionsIn(output, "module_0.spv") / 2);
+  CHECK(contains(runIn(output, {}, "spirv-dis reduced.spv").out, "OpIAddCarry"));
+  CHECK(runIn(output, faulty, "./interesting.sh reduced.spv").exitCode == 0);
+}
+
+TEST_CASE("reduce.sh refuses a module in which two executions agree") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"});
+  compileReproducer(output);
+  const ProgramResult result = runIn(output, {}, "./reduce.sh module_0.spv reduced.spv");
+  CHECK(result.exitCode == 2);
+  CHECK_THAT(result.err, Catch::Contains("module_0.spv: "));
+  CHECK(runIn(output, {}, "test -e reduced.spv").exitCode == 1);
 }
 
 TEST_CASE("spirv-reduce reduces a leaf case with a planted fault to less than 100 instructions", "[slow]") {
