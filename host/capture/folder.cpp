@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "embedded/interesting.h"
+#include "embedded/reduce.h"
 #include "embedded/reproduce.h"
 #include "host/capture/header_text.h"
 #include "host/capture/readme_text.h"
@@ -57,6 +58,11 @@ void writeData(const Capture& capture, const fs::path& folder) {
   writeExpected(capture, folder / "expected.bin");
 }
 
+void writeScript(std::string_view text, const fs::path& file) {
+  writeFileAtomically(file, bytesOf(text));
+  fs::permissions(file, fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec, fs::perm_options::add);
+}
+
 // Reductions must preserve a quarter of the values that differ, so that they do not end at another fault.
 std::size_t minimumOf(const Capture& capture) { return std::max<std::size_t>(1, capture.differing / 4); }
 
@@ -64,9 +70,8 @@ void writeFiles(const Capture& capture, const fs::path& folder) {
   writeFileAtomically(folder / "capture.h", bytesOf(headerText(capture)));
   writeFileAtomically(folder / "reproduce.c", bytesOf(embedded::reproduce));
   writeFileAtomically(folder / "README.md", bytesOf(readmeText(capture)));
-  writeFileAtomically(folder / "interesting.sh", bytesOf(embedded::interesting));
-  fs::permissions(folder / "interesting.sh", fs::perms::owner_exec | fs::perms::group_exec | fs::perms::others_exec,
-                  fs::perm_options::add);
+  writeScript(embedded::interesting, folder / "interesting.sh");
+  writeScript(embedded::reduce, folder / "reduce.sh");
   writeFileAtomically(folder / "minimum.txt", bytesOf(fmt::format("{}\n", minimumOf(capture))));
   for (const TextFile& file : capture.files) writeFileAtomically(folder / file.name, bytesOf(file.text));
   writeData(capture, folder);

@@ -49,16 +49,17 @@ It prints the first value that differs. The exit code is 0 if no value differs, 
 - `buffer_*.bin`, `write_*.bin`: contents of buffers. Buffers without a file begin with equal words.
 - `expected.bin`: records of 32 bytes (type, buffer, word, 0, minimum and maximum permitted value as doubles).
 - `minimum.txt`: number of values that must differ when the shader is reduced.
-- `interesting.sh`: tests whether two executions of a module disagree, for `spirv-reduce`.
+- `interesting.sh`: tests whether two executions of a module disagree.
+- `reduce.sh`: reduces a module as long as `interesting.sh` accepts it.
 
 ## How to reduce the shader
 
     export ICD_A=/path/to/icd.json ICD_B=/path/to/another/icd.json
-    spirv-reduce module_0.spv -o reduced.spv -- ./interesting.sh
+    ./reduce.sh module_0.spv reduced.spv
     ICD=$ICD_A; VK_DRIVER_FILES=$ICD ./reproduce --module 0 reduced.spv --dump a
     ICD=$ICD_B; VK_DRIVER_FILES=$ICD ./reproduce --module 0 reduced.spv --against a 0.001
 
-A reduced module computes something else, so that two executions are compared instead of the expected values.
+It needs SPIRV-Tools. A reduced module computes something else, so that two executions are compared instead of the expected values.
 )",
       capture.title, countText(capture.work.commands.size(), "command", "commands"),
       countText(capture.work.shaders.size(), "shader", "shaders"),

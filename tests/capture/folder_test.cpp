@@ -37,7 +37,9 @@ TEST_CASE("A capture is written to a new folder, or to an empty one") {
     CHECK(readText(folder.path(name) + "/minimum.txt") == "10\n");
     CHECK(readText(folder.path(name) + "/scene.p3f") == "l 0 0 0\n");
     CHECK_FALSE(fs::exists(folder.path(name) + "/buffer_0.bin"));
-    CHECK((fs::status(folder.path(name) + "/interesting.sh").permissions() & fs::perms::owner_exec) != fs::perms::none);
+    for (const std::string script : {"/interesting.sh", "/reduce.sh"}) {
+      CHECK((fs::status(folder.path(name) + script).permissions() & fs::perms::owner_exec) != fs::perms::none);
+    }
   }
   CHECK(folder.fileCount() == 3);
 }

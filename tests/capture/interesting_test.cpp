@@ -1,4 +1,4 @@
-// interesting.sh, and reductions of a planted fault by spirv-reduce with it.
+// interesting.sh and reduce.sh, and reductions of a planted fault.
 #include <catch2/catch.hpp>
 #include <sstream>
 
@@ -20,6 +20,43 @@ std::size_t instructionsIn(const std::string& folder, const std::string& module)
   for (std::string line; std::getline(lines, line);) count += contains(line, "OpName") ? 0u : 1u;
   return count;
 }
+
+// Writes a variable that was never assigned, and a quotient whose divisor is this variable.
+constexpr const char* kUndefinedModule = R"(
+    OpCapability Shader
+    OpMemoryModel Logical GLSL450
+    OpEntryPoint GLCompute %main "main" %variable %buffer
+    OpExecutionMode %main LocalSize 1 1 1
+    OpName %value "value"
+    OpDecorate %words ArrayStride 4
+    OpDecorate %block Block
+    OpMemberDecorate %block 0 Offset 0
+    OpDecorate %buffer DescriptorSet 0
+    OpDecorate %buffer Binding 1
+    %void = OpTypeVoid
+    %kind = OpTypeFunction %void
+    %uint = OpTypeInt 32 0
+    %uint_0 = OpConstant %uint 0
+    %uint_1 = OpConstant %uint 1
+    %uint_7 = OpConstant %uint 7
+    %words = OpTypeRuntimeArray %uint
+    %block = OpTypeStruct %words
+    %block_pointer = OpTypePointer StorageBuffer %block
+    %word_pointer = OpTypePointer StorageBuffer %uint
+    %variable_pointer = OpTypePointer Private %uint
+    %variable = OpVariable %variable_pointer Private
+    %buffer = OpVariable %block_pointer StorageBuffer
+    %main = OpFunction %void None %kind
+    %start = OpLabel
+    %value = OpLoad %uint %variable
+    %first = OpAccessChain %word_pointer %buffer %uint_0 %uint_0
+    OpStore %first %value
+    %quotient = OpUDiv %uint %uint_7 %value
+    %second = OpAccessChain %word_pointer %buffer %uint_0 %uint_1
+    OpStore %second %quotient
+    OpReturn
+    OpFunctionEnd
+)";
 
 }  // namespace
 
@@ -49,6 +86,48 @@ TEST_CASE("interesting.sh accepts a module that a command makes different") {
       "\"$2\"\\n' > mutate.sh; chmod +x mutate.sh; ";
   CHECK(runIn(output, {"MUTATE=./mutate.sh"}, mutate + "./interesting.sh module_0.spv").exitCode == 0);
   CHECK(runIn(output, {"MUTATE=cp"}, "./interesting.sh module_0.spv").exitCode == 1);
+}
+
+TEST_CASE("interesting.sh ignores what only undefined values and operations cause") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"});
+  compileReproducer(output);
+  folder.write("new/module.txt", kUndefinedModule);
+  // Another driver has other values in variables without an initial value, or other results of divisions by 0.
+  const std::string change = GENERATE("s/ Private$/ Private %uint_7/",
+                                      "s/OpUDiv %uint %uint_7 %value$/OpCopyObject %uint %uint_7/");
+  folder.write("new/mutate.sh",
+               "#!/bin/sh\nspirv-dis $1 | sed '" + change + "' | spirv-as --target-env vulkan1.2 - -o $2\n");
+  const std::vector<std::string> mutated{"MUTATE=sh mutate.sh"};
+  REQUIRE(runIn(output, {}, "spirv-as --target-env vulkan1.2 module.txt -o undefined.spv").exitCode == 0);
+  CHECK(runIn(output, mutated, "AS_IS=1 ./interesting.sh undefined.spv").exitCode == 0);
+  CHECK(runIn(output, mutated, "./interesting.sh undefined.spv").exitCode == 1);
+}
+
+TEST_CASE("reduce.sh reduces a leaf case with a planted fault to less than half of its instructions") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"}, miscompiled(kBorrowsInsteadOfCarrying));
+  compileReproducer(output);
+  const std::vector<std::string> faulty = secondWith(kBorrowsInsteadOfCarrying);
+  const ProgramResult result = runIn(output, faulty, "./reduce.sh module_0.spv reduced.spv");
+  INFO(result.out << result.err);
+  CHECK(result.exitCode == 0);
+  CHECK(instructionsIn(output, "reduced.spv") < instructionsIn(output, "module_0.spv") / 2);
+  CHECK(contains(runIn(output, {}, "spirv-dis reduced.spv").out, "OpIAddCarry"));
+  CHECK(runIn(output, faulty, "./interesting.sh reduced.spv").exitCode == 0);
+}
+
+TEST_CASE("reduce.sh refuses a module in which two executions agree") {
+  const TemporaryFolder folder;
+  const std::string output = folder.path("new");
+  captureTo(output, {"leaf.integer.add_carry"});
+  compileReproducer(output);
+  const ProgramResult result = runIn(output, {}, "./reduce.sh module_0.spv reduced.spv");
+  CHECK(result.exitCode == 2);
+  CHECK_THAT(result.err, Catch::Contains("module_0.spv: "));
+  CHECK(runIn(output, {}, "test -e reduced.spv").exitCode == 1);
 }
 
 TEST_CASE("spirv-reduce reduces a leaf case with a planted fault to less than 100 instructions", "[slow]") {
