@@ -3,6 +3,13 @@
 # not installed is a failing test, never a skipped one. By hand, on another device:
 #   CANDELA_VALIDATION=1 CANDELA_TEST_DEVICE=nvidia build/dev/tests/vulkan/test_vulkan
 
+# candela_driver_environment(VARIABLE ICD): sets VARIABLE to the environment of tests in which one driver is visible.
+# VK_ICD_FILENAMES is what loaders before 1.3.207 read. Drivers and the layer leak a few kilobytes when they are
+# unloaded, in modules that the leak sanitizer can then no longer name to suppress them; its other checks stay on.
+function(candela_driver_environment variable icd)
+  set(${variable} "VK_DRIVER_FILES=${icd};VK_ICD_FILENAMES=${icd};ASAN_OPTIONS=detect_leaks=0" PARENT_SCOPE)
+endfunction()
+
 # Sets VARIABLE to the first file that matches, unless the user has set it to one that exists.
 function(candela_find_icd variable)
   if(EXISTS "${${variable}}")
@@ -47,9 +54,8 @@ function(candela_discover_on_driver name driver icd package slow)
   catch_discover_tests(${name} TEST_SPEC "${slow}" TEST_PREFIX "${driver}: ${name}: " OUTPUT_SUFFIX ${driver}
                        EXTRA_ARGS ${fail_without_cases} TEST_LIST ${name}_${driver}_slow PROPERTIES LABELS slow)
   # A list of variables does not pass through catch_discover_tests; it is set when ctest reads the discovered tests.
-  # VK_ICD_FILENAMES is what loaders before 1.3.207 read. Drivers and the layer leak a few hundred bytes when they are
-  # unloaded, in modules that the leak sanitizer can then no longer name to suppress them; its other checks stay on.
-  set(environment "CANDELA_VALIDATION=1;VK_DRIVER_FILES=${icd};VK_ICD_FILENAMES=${icd};ASAN_OPTIONS=detect_leaks=0")
+  candela_driver_environment(environment "${icd}")
+  list(PREPEND environment CANDELA_VALIDATION=1)
   set(script ${CMAKE_CURRENT_BINARY_DIR}/${name}_${driver}_environment.cmake)
   file(WRITE ${script}
     "foreach(test IN LISTS ${name}_${driver} ${name}_${driver}_slow)\n"
