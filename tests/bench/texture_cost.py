@@ -80,24 +80,26 @@ def write_variants(model, folder):
     return files
 
 
-def nanoseconds_per_ray(options, file, allowed, folder):
-    extra = [*LIGHT, "--allow-path", allowed]
-    film = folder / "film.exr"
-    one_report, one_seconds = run_candela(options, file, film, options.size, 1, 0, extra)
-    report, seconds = run_candela(options, file, film, options.size, options.spp, 0, extra)
+def render(options, model, file, spp):
+    extra = [*LIGHT, "--allow-path", model.resolve().parent]
+    return run_candela(options, file, file.with_suffix(".exr"), options.size, spp, 0, extra)
+
+
+def nanoseconds_per_ray(options, model, file):
+    one_report, one_seconds = render(options, model, file, 1)
+    report, seconds = render(options, model, file, options.spp)
     return 1e9 * (seconds - one_seconds) / (report["rays"]["total"] - one_report["rays"]["total"])
 
 
 def measure(options, model):
     times = {variant: [] for variant in VARIANTS}
     with tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        files = write_variants(model, folder)
-        for file in files:  # fills the driver's cache of kernels
-            nanoseconds_per_ray(options, file, model.resolve().parent, folder)
+        files = write_variants(model, Path(name))
+        for file in files:
+            render(options, model, file, 1)  # fills the driver's cache of kernels
         for _ in range(options.rounds):
             for variant, file in zip(VARIANTS, files):
-                times[variant].append(nanoseconds_per_ray(options, file, model.resolve().parent, folder))
+                times[variant].append(nanoseconds_per_ray(options, model, file))
     return times
 
 
