@@ -5,20 +5,17 @@
 
 #include "host/core/errors.h"
 #include "host/core/input_file.h"
-#include "host/core/json_depth.h"
+#include "host/core/json_text.h"
 
 namespace candela::bench {
 
 nlohmann::json readReport(const std::filesystem::path& file) {
   constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
   const std::string text = readInputFile(file, kMaxBytes, InputKind::regularFileOrPipe);
-  if (findTooDeepJson(text)) {
-    throw FileError(fmt::format("{}: JSON is nested more than {} levels deep", file.string(), kMaxJsonDepth));
-  }
   try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::exception& error) {
-    throw FileError(fmt::format("{}: {}", file.string(), error.what()));
+    return parseJson(text);
+  } catch (const JsonSyntaxError& error) {
+    throw FileError(fmt::format("{}:{}:{}: {}", file.string(), error.line, error.column, error.what()));
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "host/core/hash.h"
 #include "host/core/hash_text.h"
+#include "host/core/json_text.h"
 #include "host/device/kernel.h"
 
 namespace candela::cache {
@@ -16,14 +17,15 @@ DeviceKey keyOf(const vulkan::DeviceInfo& info) {
           std::string(device::kernelsHash())};
 }
 
-std::string toText(const DeviceKey& key) {
-  const nlohmann::ordered_json object{{"device", key.device},
-                                      {"driver", key.driver},
-                                      {"driverVersion", key.driverVersion},
-                                      {"pipelineCacheUuid", key.pipelineCacheUuid},
-                                      {"kernels", key.kernels}};
-  return object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+nlohmann::ordered_json toJson(const DeviceKey& key) {
+  return {{"device", key.device},
+          {"driver", key.driver},
+          {"driverVersion", key.driverVersion},
+          {"pipelineCacheUuid", key.pipelineCacheUuid},
+          {"kernels", key.kernels}};
 }
+
+std::string toText(const DeviceKey& key) { return jsonText(toJson(key)); }
 
 std::string fileNameOf(std::string_view kind, const DeviceKey& key, std::string_view extension) {
   return fmt::format("{}-{}.{}", kind, hashText(fnv1aOfText(toText(key))), extension);

@@ -1,5 +1,6 @@
 // Identifies the device, driver and kernels for which a file of the cache is valid.
 #pragma once
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,9 @@ struct DeviceKey {
 
 /// Returns the key of a device with the kernels of this program.
 DeviceKey keyOf(const vulkan::DeviceInfo& info);
+
+/// Returns the members of the key.
+nlohmann::ordered_json toJson(const DeviceKey& key);
 
 /// Returns the key as one line of JSON. Equal texts mean equal keys.
 std::string toText(const DeviceKey& key);

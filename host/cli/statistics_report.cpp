@@ -13,6 +13,7 @@
 #include "host/cli/settings_json.h"
 #include "host/core/counted.h"
 #include "host/core/hash_text.h"
+#include "host/core/json_text.h"
 #include "host/core/report_head.h"
 #include "host/scene/memory.h"
 #include "host/statistics/quantiles.h"
@@ -68,7 +69,7 @@ void appendRows(const ordered_json& object, const std::string& prefix, std::stri
     }
     const std::string shown = value.is_number_float() ? fmt::format("{:.5g}", value.get<double>())
                               : value.is_string()     ? value.get<std::string>()
-                                                      : value.dump();
+                                                      : jsonText(value);
     out += fmt::format("{:<32} {}\n", prefix + key, shown);
   }
 }

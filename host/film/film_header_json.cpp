@@ -5,7 +5,9 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "host/core/json_text.h"
 #include "host/core/json_value.h"
+#include "host/core/utf8.h"
 #include "host/film/film_header.h"
 #include "host/image/image.h"
 
@@ -181,12 +183,6 @@ void check(const FilmHeader& header, const JsonValue& root) {
   }
 }
 
-Json parsed(const std::string& text) {
-  Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object()) throw FileError("the description of the film is not JSON");
-  return json;
-}
-
 void requireFormat(const JsonValue& value) {
   const std::uint32_t format = number(value, 0, 0xffffffffu);
   if (format >= 1 && format <= kLastFormat) return;
@@ -234,7 +230,13 @@ ordered_json tracersJson(const std::vector<Tracer>& tracers) {
 }
 
 std::string validText(const std::string& text) {
-  return ordered_json::parse(ordered_json(text).dump(-1, ' ', true, ordered_json::error_handler_t::replace));
+  std::string valid;
+  for (std::string_view rest = text; !rest.empty();) {
+    const Utf8Character character = firstCharacter(rest);
+    valid += character.isValid ? character.bytes : kReplacementCharacter;
+    rest.remove_prefix(character.bytes.size());
+  }
+  return valid;
 }
 
 std::string toJson(const FilmHeader& header) {
@@ -252,15 +254,18 @@ std::string toJson(const FilmHeader& header) {
   json["begun"] = boxesJson(header.begun);
   json["tracers"] = tracersJson(header.tracers);
   json["mixed"] = header.mixed;
-  return json.dump(-1, ' ', true);
+  return asciiJsonText(json);
 }
 
 FilmHeader headerFromJson(const std::string& text) {
-  const Json json = parsed(text);
+  constexpr const char* kMessage = "the description of the film: {}";
   try {
+    const Json json = parseJson(text);
     return headerIn(JsonValue(json, ""));
+  } catch (const JsonSyntaxError& error) {
+    throw FileError(fmt::format(kMessage, error.what()));
   } catch (const JsonError& error) {
-    throw FileError(fmt::format("the description of the film: {}", error.what()));
+    throw FileError(fmt::format(kMessage, error.what()));
   }
 }
 

@@ -9,11 +9,13 @@
 #include <span>
 
 #include "host/core/atomic_file.h"
+#include "host/core/json_text.h"
 #include "host/core/report_head.h"
 
 namespace candela::film {
 namespace {
 
+using Json = nlohmann::json;
 using nlohmann::ordered_json;
 
 std::string hostName() {
@@ -23,7 +25,7 @@ std::string hostName() {
 }
 
 // Throws nlohmann's exceptions if the JSON is not that of toJson().
-WorkReport fromJson(const ordered_json& json) {
+WorkReport fromJson(const Json& json) {
   WorkReport work;
   work.runs = json.at("runs").get<std::uint64_t>();
   work.runsNotCounted = json.at("runsNotCounted").get<std::uint64_t>();
@@ -112,15 +114,17 @@ void writeWork(const std::filesystem::path& film, const std::string& check, cons
   ordered_json json = reportHead("candela-work/1");
   json["film"] = check;
   json.update(toJson(work));
-  const std::string text = json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  const std::string text = jsonText(json, 2) + "\n";
   writeFileAtomically(workFile(film), std::as_bytes(std::span(text)));
 }
 
 WorkReport readWork(const std::filesystem::path& film, const std::string& check) try {
-  const ordered_json json = ordered_json::parse(startOf(workFile(film)));
+  const Json json = parseJson(startOf(workFile(film)));
   if (json.at("film") == check) return fromJson(json);
   return notCounted();
-} catch (const ordered_json::exception&) {
+} catch (const FileError&) {
+  return notCounted();
+} catch (const Json::exception&) {
   return notCounted();
 }
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "host/core/json_depth.h"
+#include "host/core/json_text.h"
 #include "host/gltf/value.h"
 #include "host/scene/quote.h"
 
@@ -28,45 +28,12 @@ std::string_view withoutByteOrderMark(std::string_view text) {
   return text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
 }
 
-[[noreturn]] void failAt(const scene::SceneFile& file, std::string_view text, std::size_t offset,
-                         const std::string& message) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const auto line = static_cast<std::uint32_t>(std::ranges::count(before, '\n') + 1);
-  const auto column = static_cast<std::uint32_t>(before.size() - (before.rfind('\n') + 1) + 1);
-  throw scene::SceneError({{file.name, line, column, message}});
-}
-
-/// Returns the part of nlohmann's message that describes the error, without "[...] parse error at line 1, column 2: ".
-/// It quotes the file, whose bytes need not be text.
-std::string reasonOf(const std::string& what) {
-  const std::size_t start = what.find(": ");
-  const std::string reason = start == std::string::npos ? what : what.substr(start + 2);
-  constexpr std::size_t kMaxReason = 200;
-  std::string shown;
-  for (const char c : reason.substr(0, kMaxReason)) shown += c < 0x20 || c > 0x7e ? '?' : c;
-  return shown;
-}
-
-/// The offset of a number that is too large for a double. nlohmann's message quotes it and lacks its place.
-std::size_t offsetOfNumber(std::string_view text, std::string_view what) {
-  const std::size_t end = what.rfind('\'');
-  const std::size_t start = end == std::string_view::npos ? end : what.rfind('\'', end - 1);
-  if (start == std::string_view::npos) return 0;
-  const std::size_t offset = text.find(what.substr(start + 1, end - start - 1));
-  return offset == std::string_view::npos ? 0 : offset;
-}
-
-nlohmann::json parseJson(const scene::SceneFile& file, std::string_view text) {
-  if (const std::optional<std::size_t> deep = findTooDeepJson(text)) {
-    failAt(file, text, *deep, fmt::format("JSON is nested more than {} levels deep", kMaxJsonDepth));
-  }
-  try {
-    return nlohmann::json::parse(text);
-  } catch (const nlohmann::json::parse_error& error) {
-    failAt(file, text, error.byte > 0 ? error.byte - 1 : 0, "not valid JSON: " + reasonOf(error.what()));
-  } catch (const nlohmann::json::exception& error) {
-    failAt(file, text, offsetOfNumber(text, error.what()), "not valid JSON: number overflow");
-  }
+nlohmann::json jsonIn(const scene::SceneFile& file, std::string_view text) try {
+  return parseJson(text);
+} catch (const JsonSyntaxError& error) {
+  const auto line = static_cast<std::uint32_t>(error.line);
+  const auto column = static_cast<std::uint32_t>(error.column);
+  throw scene::SceneError({{file.name, line, column, error.what()}});
 }
 
 /// Returns the chunk at `offset`, and moves `offset` past it.
@@ -99,7 +66,7 @@ Container readGlb(const scene::SceneFile& file) {
   std::uint32_t type = 0;
   const std::string_view text = takeChunk(bytes, offset, type);
   if (type != kChunkJson) throw JsonError("GLB", "the first chunk is not JSON");
-  Container container{parseJson(file, text), std::nullopt};
+  Container container{jsonIn(file, text), std::nullopt};
   if (offset < bytes.size()) {
     const std::string_view second = takeChunk(bytes, offset, type);
     if (type == kChunkBinary) container.binary = second;
@@ -118,7 +85,7 @@ bool looksLikeGltf(std::string_view bytes) {
 
 Container readContainer(const scene::SceneFile& file) {
   if (file.bytes.starts_with("glTF")) return readGlb(file);
-  return {parseJson(file, withoutByteOrderMark(file.bytes)), std::nullopt};
+  return {jsonIn(file, withoutByteOrderMark(file.bytes)), std::nullopt};
 }
 
 }  // namespace candela::gltf

@@ -7,6 +7,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
+#include "host/core/json_text.h"
 #include "host/image/murmur_hash.h"
 
 namespace candela::image {
@@ -55,7 +56,7 @@ std::map<std::string, std::string> cryptomatteMetadata(MatteKind kind, std::span
   return {{key + "name", layerNameOf(kind)},
           {key + "hash", "MurmurHash3_32"},
           {key + "conversion", "uint32_to_float32"},
-          {key + "manifest", manifest.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace)}};
+          {key + "manifest", asciiJsonText(manifest)}};
 }
 
 }  // namespace candela::image

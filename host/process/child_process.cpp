@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "host/core/errors.h"
+#include "host/core/json_text.h"
 #include "host/core/utf8.h"
 #include "host/vulkan/validation.h"
 #include "host/vulkan/validation_log.h"
@@ -30,7 +31,7 @@ using Json = nlohmann::json;
 constexpr std::chrono::milliseconds kNoTime{0};
 constexpr const char* kReturned = "\n";  // no JSON value is an empty line
 
-std::string lineOf(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n"; }
+std::string lineOf(const Json& json) { return jsonText(json) + "\n"; }
 
 Json resultOf(const std::function<Json()>& work) {
   try {

@@ -2,6 +2,7 @@
 #include "host/python/device_function.h"
 
 #include "host/cli/device_list.h"
+#include "host/core/json_text.h"
 #include "host/python/json.h"
 #include "host/python/python_log.h"
 #include "host/python/watched.h"

@@ -9,6 +9,7 @@
 #include "host/cli/display_choice.h"
 #include "host/cli/film_description.h"
 #include "host/cli/output_check.h"
+#include "host/core/json_text.h"
 #include "host/film/film_file.h"
 #include "host/film/merge.h"
 #include "host/python/file_names.h"

@@ -8,6 +8,7 @@
 
 #include "host/core/hash.h"
 #include "host/core/hash_text.h"
+#include "host/core/json_text.h"
 #include "host/formats/load_scene.h"
 #include "host/python/file_names.h"
 #include "host/python/json.h"

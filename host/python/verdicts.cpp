@@ -11,6 +11,7 @@
 #include "host/cli/image_pair.h"
 #include "host/cli/requirements.h"
 #include "host/core/errors.h"
+#include "host/core/json_text.h"
 #include "host/explain/explanation.h"
 #include "host/python/file_names.h"
 #include "host/python/json.h"

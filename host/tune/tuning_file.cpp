@@ -15,7 +15,7 @@
 #include "host/cache/read_file.h"
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
-#include "host/core/json_depth.h"
+#include "host/core/json_text.h"
 #include "host/core/json_value.h"
 #include "host/core/report_head.h"
 
@@ -23,15 +23,10 @@ namespace candela::tune {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr const char* kSchema = "candela-tune/1";
 constexpr std::size_t kMaxFileSize = std::size_t{1} << 16;
-
-std::string dump(const ordered_json& object) {
-  return object.dump(2, ' ', false, ordered_json::error_handler_t::replace);
-}
 
 // The date is printed, so that nothing but a date is accepted.
 bool isDate(const std::string& text) {
@@ -62,18 +57,18 @@ std::string dateIn(const JsonValue& date) {
 TuningLookup refuse(std::string problem) { return {std::nullopt, std::move(problem)}; }
 
 TuningLookup parse(const std::string& text, const cache::DeviceKey& key, const vulkan::DeviceInfo& info) {
-  if (findTooDeepJson(text)) return refuse("it is damaged");
-  const json file = json::parse(text, nullptr, false);
-  if (!file.is_object()) return refuse("it is damaged");
-  const JsonValue root(file, "");
   try {
+    const nlohmann::json file = parseJson(text);
+    const JsonValue root(file, "");
     if (root.require("schema").text() != kSchema) return refuse("it was written by another version of Candela");
-    if (root.require("key").json() != json::parse(cache::toText(key))) {
+    if (root.require("key").json() != parseJson(cache::toText(key))) {
       return refuse("it is for another device, driver or set of kernels");
     }
     const Tuning tuning{candidateIn(root.require("choice")), dateIn(root.require("date"))};
     if (!isFeasible(tuning.candidate, info)) return refuse("the device does not support its settings");
     return {tuning, ""};
+  } catch (const JsonSyntaxError&) {
+    return refuse("it is damaged");
   } catch (const JsonError& error) {
     return refuse(fmt::format("it is damaged: {}", error.what()));
   }
@@ -105,12 +100,12 @@ void writeTuning(const fs::path& file, const cache::DeviceKey& key, const Tuning
   if (error) throw FileError(fmt::format("cannot create \"{}\": {}", file.parent_path().string(), error.message()));
   ordered_json content = reportHead(kSchema);
   content["date"] = tuning.date;
-  content["key"] = ordered_json::parse(cache::toText(key));
+  content["key"] = cache::toJson(key);
   for (std::size_t i = 0; i < tuning.candidate.size(); ++i) {
     const Dimension& dimension = dimensionTable()[i];
     content["choice"][dimension.option] = dimension.values[tuning.candidate[i]].name;
   }
-  const std::string text = dump(content) + "\n";
+  const std::string text = jsonText(content, 2) + "\n";
   writeFileAtomically(file, std::as_bytes(std::span(text)));
 }
 

@@ -112,7 +112,7 @@ TEST_CASE("a report that is nested too deeply is refused before it is parsed") {
                                      << std::string(depth, '[') << std::string(depth, ']') << "}]}";
     return folder / "a.json";
   };
-  CHECK_THROWS_WITH(readReport(write(300000)), Contains("a.json: JSON is nested more than 256 levels deep"));
+  CHECK_THROWS_WITH(readReport(write(300000)), Contains("a.json:1:315: JSON is nested more than 256 levels deep"));
   CHECK_THROWS_WITH(readReport(write(254)), Contains("256 levels"));
   CHECK_NOTHROW(readReport(write(253)));
 }
