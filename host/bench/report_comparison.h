@@ -25,13 +25,16 @@ struct ComparedRow {
   RowVerdict verdict = RowVerdict::alike;
 };
 
+/// Returns whether a row became slower, lost its score or is missing.
+bool isRegression(const ComparedRow& row);
+
 struct ReportComparison {
   std::string oldDevice;  ///< device and driver
   std::string newDevice;
   double threshold = 0;
   std::vector<ComparedRow> rows;  ///< in the order of the old report, then the new rows
 
-  /// Returns whether a row became slower, lost its score or is missing.
+  /// Returns whether some row is a regression.
   bool regressed() const;
 };
 

@@ -1,11 +1,9 @@
-// Renders one sample of a few pixels repeatedly, with smaller settings and scenes, to find a small case that still
-// fails.
+// Renders one sample of a few pixels on a device that records its work, and compares it with what is expected.
 #pragma once
 #include <memory>
 #include <optional>
 
 #include "host/capture/capture.h"
-#include "host/capture/scene_parts.h"
 #include "host/image/film.h"
 #include "host/render/renderer.h"
 #include "host/vulkan/device.h"
@@ -50,15 +48,5 @@ class SampleTrial {
   std::unique_ptr<render::Renderer> expected_;  ///< the reference, or the other device
   bool expectsBits_;
 };
-
-/// Returns the smallest workgroup, region and number of segments at which the sample of the pixel still fails: first
-/// one pixel in a workgroup of one invocation, then one in the settings' workgroup, then all pixels of its workgroup.
-/// If none fails, the first is returned.
-Sample smallestSample(SampleTrial& trial, const scene::Scene& scene, const render::RenderSettings& settings,
-                      const render::PixelSample& sample);
-
-/// Returns the parts of a scene without which the sample does not fail.
-Subset smallestScene(SampleTrial& trial, const SceneParts& parts, const Sample& sample,
-                     const std::function<bool()>& stop);
 
 }  // namespace candela::capture

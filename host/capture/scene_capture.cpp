@@ -7,6 +7,7 @@
 
 #include "host/capture/replay.h"
 #include "host/capture/sample_values.h"
+#include "host/capture/smallest_sample.h"
 #include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 

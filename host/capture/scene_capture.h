@@ -5,6 +5,7 @@
 
 #include "host/capture/capture.h"
 #include "host/capture/sample_trial.h"
+#include "host/capture/scene_parts.h"
 
 namespace candela::capture {
 

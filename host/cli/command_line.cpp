@@ -1,18 +1,15 @@
-// CLI11 splits the words; the option table defines their meaning.
+// Recognises the command.
 #include "host/cli/command_line.h"
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <sstream>
 
+#include "host/cli/apply_options.h"
 #include "host/cli/argument_checks.h"
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
 #include "host/cli/option_groups.h"
-#include "host/cli/option_table.h"
 #include "host/core/errors.h"
 
 namespace candela::cli {
@@ -61,97 +58,6 @@ Arguments helpFor(std::span<const std::string> words) {
   return arguments;
 }
 
-[[noreturn]] void refuseUnknownOption(Command command, const std::string& word) {
-  const std::string name = word.substr(0, word.find('='));
-  std::vector<std::string> known;
-  for (const Option& option : optionTable()) {
-    if (option.isFor(command)) {
-      known.push_back(option.name());
-    } else if (option.name() == name) {
-      refuse(command, fmt::format("{} is not an option of candela {}", name, commandInfo(command).name));
-    }
-  }
-  refuse(command, fmt::format("unknown option {}{}", name, didYouMean(name, known)));
-}
-
-// Returns the first word of a list that is none of the words of the option, with a suggestion; for other options, the
-// value.
-std::string wrongPart(const Option& option, const std::string& value) {
-  std::istringstream parts(value);
-  for (std::string part; !option.words.empty() && std::getline(parts, part, ',');) {
-    if (std::ranges::find(option.words, part) != option.words.end()) continue;
-    return fmt::format("\"{}\"{}", part, didYouMean(part, option.words));
-  }
-  return fmt::format("\"{}\"", value);
-}
-
-void apply(const Option& option, const std::vector<std::string>& values, Arguments& arguments) {
-  for (const std::string& value : values) {
-    if (!option.apply(arguments, value)) {
-      refuse(arguments.command,
-             fmt::format("{}: expected {}, got {}", option.name(), option.expected, wrongPart(option, value)));
-    }
-  }
-  if (!values.empty()) arguments.given.insert(option.name());
-}
-
-// For several values, `apply` decides whether the last one or all of them are used.
-CLI::Option* declare(CLI::App& app, const Option& option) {
-  if (option.isFlag()) return app.add_flag(option.names);
-  return app.add_option(option.names)->expected(1)->allow_extra_args(false)->take_all();
-}
-
-// Returns the words in the order that CLI11 requires, the last one first. It would read "-o=FILE" as the file "=FILE".
-std::vector<std::string> reversedWords(std::span<const std::string> words) {
-  std::vector<std::string> reversed(words.rbegin(), words.rend());
-  const auto end = std::ranges::find(words, "--");
-  for (auto word = words.begin(); word != end; ++word) {
-    const bool isShort = word->size() > 3 && (*word)[0] == '-' && std::isalpha(static_cast<unsigned char>((*word)[1]));
-    if (isShort && (*word)[2] == '=') reversed[static_cast<std::size_t>(words.end() - word) - 1].erase(2, 1);
-  }
-  return reversed;
-}
-
-// CLI11 accepts the value of a flag only in the same word.
-std::vector<std::string> withJoinedFlags(std::span<const std::string> words) {
-  std::vector<std::string> joined;
-  bool areOptions = true;
-  for (const std::string& word : words) {
-    areOptions = areOptions && word != "--";
-    if (areOptions && word == kOidn && !joined.empty() && joined.back() == "--denoise") {
-      joined.back() += "=" + word;
-    } else {
-      joined.push_back(word);
-    }
-  }
-  return joined;
-}
-
-void split(std::span<const std::string> words, Arguments& arguments) {
-  CLI::App app;
-  app.set_help_flag();
-  app.allow_extras();
-  std::vector<std::pair<const Option*, CLI::Option*>> declared;
-  for (const Option& option : optionTable()) {
-    if (option.isFor(arguments.command)) declared.emplace_back(&option, declare(app, option));
-  }
-  app.add_option("files", arguments.files);
-
-  std::vector<std::string> reversed = reversedWords(withJoinedFlags(words));
-  try {
-    app.parse(reversed);
-  } catch (const CLI::ArgumentMismatch& error) {
-    const std::string message = error.what();  // "--spp: 1 required ..."
-    refuse(arguments.command, message.substr(0, message.find(':')) + " needs a value");
-  } catch (const CLI::ParseError& error) {
-    refuse(arguments.command, error.what());
-  }
-  for (const std::string& extra : app.remaining()) {
-    if (extra != "--") refuseUnknownOption(arguments.command, extra);
-  }
-  for (const auto& [option, parsed] : declared) apply(*option, parsed->results(), arguments);
-}
-
 // A scene is read from stdin under the name that the system gives it.
 void nameStdin(Arguments& arguments) {
   if ((static_cast<unsigned>(arguments.command) & kReadingScenes) == 0) return;
@@ -163,7 +69,7 @@ void nameStdin(Arguments& arguments) {
 Arguments parseOptions(Command command, std::span<const std::string> words) {
   Arguments arguments;
   arguments.command = command;
-  split(words, arguments);
+  applyOptions(words, arguments);
   checkOptions(arguments);
   return arguments;
 }
@@ -173,7 +79,7 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   if (asksForHelp(words)) return helpFor(words.subspan(1));
   Arguments arguments;
   takeCommand(words, arguments);
-  split(words, arguments);
+  applyOptions(words, arguments);
   if (arguments.help || arguments.version) return arguments;
   nameStdin(arguments);
   checkArguments(arguments);

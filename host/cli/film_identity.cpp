@@ -1,4 +1,4 @@
-// Compares renders with film files.
+// Collects the settings and the tracer of a render.
 #include "host/cli/film_identity.h"
 
 #include <fmt/format.h>
@@ -7,10 +7,10 @@
 #include <array>
 #include <string_view>
 
-#include "host/cli/film_options.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
 #include "host/core/hash_text.h"
+#include "host/core/utf8.h"
 #include "host/core/version.h"
 #include "host/scene/object_names.h"
 
@@ -51,105 +51,13 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     const std::string value = values.empty() ? "off" : values.front();
     const bool isLate = std::ranges::find(kLateSettings, option.name()) != kLateSettings.end();
     if (isLate && option.isDefault(value)) continue;
-    settings[option.name().substr(2)] = film::validText(value);
+    settings[option.name().substr(2)] = validUtf8(value);
   }
   if (job.arguments.noiseThreshold) settings[film::kStoppingRule] = film::kCurrentStoppingRule;
   if (job.settings().image.filmScale > 0) settings[film::kFilmScale] = fmt::to_string(job.settings().image.filmScale);
   if (!job.settings().image.antialiasing) settings["antialiasing"] = "off";
   if (job.settings().image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
   return settings;
-}
-
-// Returns the reason, as a clause, why a film with another number of samples per pixel cannot be resumed by the job;
-// null: it can.
-const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
-  render::ImageSettings before = job.settings().image;
-  before.sampleCount = begunWith;
-  if (before.sampler == render::SamplerKind::stratified) return "the strata of --sampler stratified depend on --spp";
-  if (before.jittersPixels() != job.settings().image.jittersPixels()) {
-    return "rays of one sample per pixel are not jittered, and those of several are";
-  }
-  return nullptr;
-}
-
-// A film may be resumed with another --spp if its samples do not depend on it.
-void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& film) {
-  const std::uint32_t wanted = job.settings().image.sampleCount;
-  if (film.samplesPerPixel == wanted) return;
-  const char* const why = whyFixedCount(job, film.samplesPerPixel);
-  if (why == nullptr) {
-    film.samplesPerPixel = wanted;
-  } else if (!job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: the film was started with --spp {}, and cannot be resumed with --spp {}: {}",
-                                reader.file().string(), film.samplesPerPixel, wanted, why));
-  }
-}
-
-// Returns the next step after a refusal. Films of other pixels cannot be resumed at all.
-std::string remedyFor(const film::FilmHeader& film, const film::FilmHeader& render) {
-  const std::string steps = stepsToResume(film, render);
-  if (film.window != render.window && !steps.empty()) return steps;
-  return steps + (steps.empty() ? "" : "; ") + "--resume-anyway resumes nevertheless, and marks the film as mixed";
-}
-
-void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& header) {
-  if (film.header().window == header.window) return;
-  if (film.header().size != header.size) {
-    throw FileError(fmt::format("{}: the film is part of an image of {} pixels, and the render of one of {}; {}",
-                                film.file().string(), render::extentText(film.header().size),
-                                render::extentText(header.size), stepsToResume(film.header(), header)));
-  }
-  throw FileError(fmt::format("{}: the film has the pixels {}, and the render {}; use --crop {}", film.file().string(),
-                              render::windowText(film.header().window), render::windowText(header.window),
-                              render::windowText(film.header().window)));
-}
-
-// Sums that samples did not add cannot be computed later, whatever the user accepts.
-void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& header) {
-  if (film.header().layers == header.layers) return;
-  const std::string layers = layerText(film.header().layers);
-  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; use --aov {}", film.file().string(),
-                              layers, layerText(header.layers), layers));
-}
-
-// Sums of different units cannot be added, whatever the user accepts.
-void requireSameScale(const film::FilmReader& film, const film::FilmHeader& header) {
-  if (film.header().filmScale() == header.filmScale()) return;
-  throw FileError(fmt::format("{0}: the film has the scale {1}, and the render {2}; use --film-scale {1}",
-                              film.file().string(), film.header().filmScale(), header.filmScale()));
-}
-
-template <class T>
-void insertSorted(std::vector<T>& items, const T& item) {
-  const auto found = std::ranges::lower_bound(items, item);
-  if (found == items.end() || *found != item) items.insert(found, item);
-}
-
-// Returns the first sample of a film, which must be one that samples can be appended to. `isPart`: the range is that of
-// --samples, rather than all samples.
-std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range,
-                                                bool isPart) {
-  const film::FilmHeader& film = reader.header();
-  if (film.covered.empty() && film.begun.empty()) return std::nullopt;
-  const std::optional<std::uint32_t> first = film::firstSampleOf(film);
-  if (!first) {
-    throw FileError(
-        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts separately, "
-                    "and merge them",
-                    reader.file().string()));
-  }
-  const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
-  if (range.first == *first && range.end >= next) return first;
-  if (!isPart) {
-    throw FileError(fmt::format(
-        "{0}: the film already has {1} samples per pixel; use --spp {2} or more, or make a picture of it with `candela "
-        "film {3} -o FILE`",
-        reader.file().string(), next, next + 1, shellQuoted(reader.file().string())));
-  }
-  throw FileError(
-      fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
-                  "--samples {}:N",
-                  reader.file().string(), *first, next, range.first, range.end, *first));
 }
 
 }  // namespace
@@ -163,7 +71,7 @@ film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatisti
   header.settings = settingsOf(job, statistics);
   header.layers = withSums(job.settings().image.layers);
   header.window = job.settings().image.window();
-  header.tracers = {{film::validText(statistics.device), film::validText(statistics.driver), statistics.platform,
+  header.tracers = {{validUtf8(statistics.device), validUtf8(statistics.driver), statistics.platform,
                      statistics.kernels, versionText()}};
   return header;
 }
@@ -173,49 +81,12 @@ void setContent(film::FilmHeader& header, const image::Film& film, const scene::
   header.matteNames = matteNamesOf(scene, film);
 }
 
-void continueWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayDiffer) {
-  const film::Tracer& tracer = now.tracers.front();
-  const bool isKnown = std::ranges::find(film.tracers, tracer) != film.tracers.end();
-  if (!isKnown && !mayDiffer) {
-    throw DeviceLostError(fmt::format(
-        "after the failure, {}", tracerDifferences(film.tracers.front(), tracer, "the film", "the device").front()));
-  }
-  insertSorted(film.tracers, tracer);
-  for (const std::string& line : estimateDifferences(film, now, "an earlier part", "a later part")) {
-    insertSorted(film.mixed, line);
-  }
-}
-
 render::SampleRange samplesOf(const RenderJob& job) {
   const std::uint32_t total = job.settings().image.sampleCount;
   const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});
   if (range.end <= total) return range;
   throw UsageError(fmt::format("--samples {}:{} exceeds the {} samples per pixel; set the total with --spp",
                                range.first, range.end, total));
-}
-
-std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& header,
-                                       const Log& log) {
-  film::FilmHeader film = reader.header();
-  adoptSampleCount(job, reader, film);
-  requireSameLayers(reader, header);
-  requireSameScale(reader, header);
-  std::vector<std::string> differences = estimateDifferences(film, header, "the film", "this render");
-  for (const film::Tracer& tracer : film.tracers) {
-    const auto more = tracerDifferences(tracer, header.tracers.front(), "the film", "this render");
-    differences.insert(differences.end(), more.begin(), more.end());
-  }
-  if (!differences.empty() && !job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: {}; {}", reader.file().string(), differences.front(), remedyFor(film, header)));
-  }
-  for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);
-  requireSameWindow(reader, header);
-  for (const std::string& line : estimateDifferences(film, header, "an earlier part", "a later part")) {
-    insertSorted(header.mixed, line);
-  }
-  for (const std::string& line : film.mixed) insertSorted(header.mixed, line);
-  for (const film::Tracer& tracer : film.tracers) insertSorted(header.tracers, tracer);
-  return requireContinuable(reader, samplesOf(job), job.arguments.samples.has_value());
 }
 
 }  // namespace candela::cli

@@ -6,11 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "host/cli/commands.h"
 #include "host/cli/help_sections.h"
 #include "host/cli/option_table.h"
+#include "host/cli/wrapped_lines.h"
 #include "host/generate/kinds.h"
 
 namespace candela::cli {
@@ -18,56 +18,9 @@ namespace {
 
 constexpr std::size_t kTextColumn = 32;
 
-/// Appends words to lines of a maximum width.
-class Lines {
- public:
-  explicit Lines(std::size_t width) : width_(width) {}
-
-  void add(const std::string& text) {
-    std::istringstream words(text);
-    for (std::string word; words >> word;) addWord(word);
-  }
-  // Appends a text that has columns of its own, unless it is too long for a line.
-  void addColumns(const std::string& text) {
-    if (column_ + text.size() > width_) return add(text);
-    out_ += text;
-    column_ += text.size();
-    isStart_ = false;
-  }
-  // Continues at a column, on a new line if the current one is beyond it. Later lines begin at `indent`.
-  void moveTo(std::size_t column, std::size_t indent) {
-    indent_ = indent;
-    if (column_ + 2 > column) startLine();
-    out_.append(column - column_, ' ');
-    column_ = column;
-    isStart_ = true;
-  }
-  std::string text() const { return out_ + "\n"; }
-
- private:
-  void startLine() {
-    out_ += "\n" + std::string(indent_, ' ');
-    column_ = indent_;
-    isStart_ = true;
-  }
-  void addWord(const std::string& word) {
-    if (!isStart_ && column_ + 1 + word.size() > width_) startLine();
-    if (!isStart_) out_ += ' ';
-    column_ += word.size() + (isStart_ ? 0 : 1);
-    out_ += word;
-    isStart_ = false;
-  }
-
-  std::size_t width_;
-  std::size_t indent_ = 0;
-  std::string out_;
-  std::size_t column_ = 0;
-  bool isStart_ = true;
-};
-
 // Returns `head` in the left column and `text`, wrapped, in the right column.
 std::string twoColumns(const std::string& head, const std::string& text, std::size_t width) {
-  Lines lines(width);
+  WrappedLines lines(width);
   lines.moveTo(2, 6);
   lines.addColumns(head);
   lines.moveTo(kTextColumn, kTextColumn);
@@ -103,7 +56,7 @@ std::string groupText(const GroupTitle& title, std::optional<Command> command, s
     rows += twoColumns(optionHead(option), optionText(option), width);
   }
   if (rows.empty()) return "";
-  Lines lines(width);
+  WrappedLines lines(width);
   lines.add(std::string(title.title) + ":");
   return "\n" + lines.text() + rows;
 }
@@ -127,14 +80,14 @@ std::size_t helpWidth() {
 }
 
 std::string helpText(std::optional<Command> command, std::size_t width) {
-  Lines title(width);
+  WrappedLines title(width);
   title.add("Candela: a path tracer for Vulkan, with an independent reference tracer that checks it.");
   std::string out = title.text() + "\n" + usageText(command, width);
   if (command == Command::generate) out += kindsText(width);
   for (const GroupTitle& group : groupTitles()) out += groupText(group, command, width);
   out += "\nExit codes:\n";
   for (const auto& [code, text] : exitCodeTexts()) {
-    Lines lines(width);
+    WrappedLines lines(width);
     lines.moveTo(2, 6);
     lines.addColumns(fmt::format("{:>2}", static_cast<int>(code)));
     lines.moveTo(6, 6);

@@ -9,24 +9,15 @@
 #include <limits>
 #include <new>
 
-#include "host/cli/checkpoints.h"
-#include "host/cli/device_failures.h"
 #include "host/cli/film_identity.h"
 #include "host/cli/film_progress.h"
+#include "host/cli/film_resumption.h"
+#include "host/cli/film_trace.h"
 #include "host/cli/option_table.h"
-#include "host/cli/render_watch.h"
-#include "host/cli/rescue_file.h"
-#include "host/cli/sample_loop.h"
 #include "host/core/interrupt.h"
 
 namespace candela::cli {
 namespace {
-
-// The state from which a render continues: the first sample that it traces, and the work of earlier runs.
-struct Inheritance {
-  std::uint32_t firstSample = 0;
-  film::WorkReport work;
-};
 
 // Checks the scene and the options before the session is prepared, which takes time.
 std::optional<film::FilmReader> openFilm(const RenderJob& job) {
@@ -46,64 +37,18 @@ double deadlineOf(const RenderJob& job, double start) {
   return start + job.arguments.timeLimit.value_or(std::numeric_limits<double>::infinity());
 }
 
-/// One render on one device after the other, as long as devices fail.
-class FilmTrace {
- public:
-  FilmTrace(const RenderJob& job, double start, const TraceControl& control, const Log& log)
-      : job_(job),
-        log_(log),
-        control_(control),
-        range_(samplesOf(job)),
-        settings_(job.settings()),
-        usesReference_(job.arguments.usesReference()),
-        reader_(openFilm(job)),
-        watch_(deadlineOf(job, start), control.stop, control.writeRequested),
-        failures_(job, log) {}
+}  // namespace
 
-  TracedFilm run();
-
- private:
-  bool hasFile() const { return !job_.arguments.checkpoint.empty(); }
-  TracedFilm attempt();
-  void begin();
-  void load(const image::Film& film);
-  void startOrResume();
-  void continueSalvagedFilm();
-  void advance();
-  void pause(bool mustWrite);
-  void show();
-  void scheduleWrite(double start);
-  film::FilmHeader headerOf(const image::Film& film) const;
-  TracedFilm end();
-  std::optional<TracedFilm> handle(const Error& error);
-  void salvage();
-  bool fallBack(const Error& error);
-  TracedFilm giveUp(const Error& error);
-  bool rescue(std::filesystem::path& file);
-  Checkpoints checkpointsAt(const std::filesystem::path& file) const;
-
-  const RenderJob& job_;
-  const Log& log_;
-  const TraceControl& control_;
-  render::SampleRange range_;
-  render::RenderSettings settings_;
-  bool usesReference_;
-  std::optional<film::FilmReader> reader_;
-  RenderWatch watch_;
-  DeviceFailures failures_;
-
-  std::unique_ptr<render::Renderer> renderer_;
-  std::unique_ptr<render::Session> session_;
-  bool isReady_ = false;  ///< the session has the film so far
-  film::FilmHeader header_;
-  Inheritance inheritance_;
-  std::optional<Checkpoints> checkpoints_;   ///< with --checkpoint, from the first session on
-  std::optional<render::Salvage> salvaged_;  ///< of the last session that failed
-  film::WorkReport lost_;                    ///< of all sessions that failed
-  std::uint64_t samplesBefore_ = 0;          ///< in the film that the session resumed
-  bool isInterrupted_ = false;
-  std::optional<SampleLoop> loop_;  ///< around `session_`
-};
+FilmTrace::FilmTrace(const RenderJob& job, double start, const TraceControl& control, const Log& log)
+    : job_(job),
+      log_(log),
+      control_(control),
+      range_(samplesOf(job)),
+      settings_(job.settings()),
+      usesReference_(job.arguments.usesReference()),
+      reader_(openFilm(job)),
+      watch_(deadlineOf(job, start), control.stop, control.writeRequested),
+      failures_(job, log) {}
 
 Checkpoints FilmTrace::checkpointsAt(const std::filesystem::path& file) const {
   film::WorkReport before = inheritance_.work;
@@ -125,22 +70,6 @@ void FilmTrace::startOrResume() {
     if (adoptFilm(job_, *reader_, header_, log_)) load(film::readFilm(*reader_));
   }
   if (hasFile()) checkpoints_.emplace(checkpointsAt(job_.arguments.checkpoint));
-}
-
-// Later sessions continue the film of the previous one.
-void FilmTrace::continueSalvagedFilm() {
-  const film::FilmHeader now = filmHeaderOf(job_, session_->statistics());
-  if (salvaged_->film.counts().samples == 0) {
-    header_.tracers = now.tracers;
-  } else {
-    continueWith(header_, now, usesReference_);
-    load(salvaged_->film);
-  }
-  film::WorkReport work = film::workOf(salvaged_->statistics);
-  work.runs = 0;
-  lost_.add(work);
-  if (checkpoints_) checkpoints_->continueAfterFailure(header_, work);
-  salvaged_.reset();
 }
 
 void FilmTrace::begin() {
@@ -235,58 +164,6 @@ TracedFilm FilmTrace::attempt() {
   return end();
 }
 
-// Destroys the session after taking its film.
-void FilmTrace::salvage() {
-  if (isReady_) salvaged_ = session_->salvage();
-  auto decided = loop_ ? loop_->takeDecided() : std::nullopt;
-  if (salvaged_ && decided) salvaged_->film = std::move(*decided);
-  loop_.reset();
-  session_.reset();
-  renderer_.reset();
-  isReady_ = false;
-  if (salvaged_) render::requireComplete(salvaged_->statistics);
-  if (!salvaged_ && reader_) reader_.emplace(job_.arguments.resume);
-}
-
-bool FilmTrace::fallBack(const Error& error) {
-  if (job_.arguments.fallback != Fallback::reference || usesReference_) return false;
-  log_.warning(fmt::format("{}; --fallback cpu: the reference tracer finishes the render", error.what()));
-  usesReference_ = true;
-  return true;
-}
-
-// Writes the film to --checkpoint, or else to a file beside the output. Returns whether `file` has it.
-bool FilmTrace::rescue(std::filesystem::path& file) {
-  file = hasFile() ? job_.arguments.checkpoint : rescueFile(job_.arguments);
-  if (file.empty()) return false;
-  if (!checkpoints_) checkpoints_.emplace(checkpointsAt(file));
-  return checkpoints_->write(salvaged_->film, salvaged_->statistics, monotonicSeconds());
-}
-
-TracedFilm FilmTrace::giveUp(const Error& error) {
-  std::filesystem::path file;
-  const bool hasSamples = salvaged_ && salvaged_->film.counts().samples > 0;
-  if (hasSamples && !rescue(file)) file.clear();
-  DeviceFailure failure{DeviceFailures::codeOf(error), failures_.explain(error, file.string())};
-  if (!hasSamples) throw Error(failure.code, failure.message);
-  TracedFilm traced;
-  traced.result.interrupted = true;
-  traced.result.film = std::move(salvaged_->film);
-  traced.result.statistics = std::move(salvaged_->statistics);
-  traced.header = headerOf(traced.result.film);
-  if (checkpoints_) traced.work = checkpoints_->work();
-  traced.isFilmLost = file.empty();
-  traced.failure = std::move(failure);
-  return traced;
-}
-
-// Returns nothing if the render continues.
-std::optional<TracedFilm> FilmTrace::handle(const Error& error) {
-  salvage();
-  if (failures_.mayTryAgain(error) || fallBack(error)) return std::nullopt;
-  return giveUp(error);
-}
-
 TracedFilm FilmTrace::run() {
   std::optional<TracedFilm> ended;
   while (!ended) {
@@ -302,8 +179,6 @@ TracedFilm FilmTrace::run() {
   }
   return std::move(*ended);
 }
-
-}  // namespace
 
 TracedFilm traceFilm(const RenderJob& job, double start, const TraceControl& control, const Log& log) {
   return FilmTrace(job, start, control, log).run();

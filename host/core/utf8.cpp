@@ -56,6 +56,16 @@ Utf8Character firstCharacter(std::string_view text) {
   return {bytes, true, codeOf(bytes)};
 }
 
+std::string validUtf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const Utf8Character character = firstCharacter(text);
+    valid += character.isValid ? character.bytes : kReplacementCharacter;
+    text.remove_prefix(character.bytes.size());
+  }
+  return valid;
+}
+
 std::string printableLine(std::string_view text, std::size_t maxBytes) {
   std::string line;
   while (!text.empty()) {

@@ -21,6 +21,9 @@ Utf8Character firstCharacter(std::string_view text);
 /// Returns whether the character is a control character: U+0000 to U+001F and U+007F to U+009F.
 constexpr bool isControl(char32_t code) { return code < 0x20 || (code >= 0x7f && code < 0xa0); }
 
+/// Returns `text` with every byte that is not UTF-8 replaced by U+FFFD.
+std::string validUtf8(std::string_view text);
+
 /// Returns `text` as one line for terminals and reports, at most `maxBytes` long: tabs become spaces, other control
 /// characters question marks, and bytes that are not UTF-8 U+FFFD.
 std::string printableLine(std::string_view text, std::size_t maxBytes);

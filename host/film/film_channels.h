@@ -80,9 +80,7 @@ struct ChannelChoice {
   std::size_t layerRows() const { return image::layerRowCount(sums); }
 };
 
-inline ChannelChoice channelsOf(const FilmHeader& header) {
-  return {header.hasAlpha(), image::layerSumsOf(header.layers), header.matteSlots};
-}
+ChannelChoice channelsOf(const FilmHeader& header);
 
 /// A word of the records of layers of a pixel.
 struct LayerWordChannel {
@@ -90,90 +88,30 @@ struct LayerWordChannel {
   std::size_t offset;  ///< from the pixel's first record
 };
 
-inline std::vector<LayerWordChannel> layerWordChannels(std::uint32_t sums) {
-  if (sums == 0) return {};
-  std::vector<LayerWordChannel> channels{{"layerHits", 0}, {"badLayerSamples", sizeof(std::uint32_t)}};
-  const std::vector<std::string> names = image::layerSumNames(sums);
-  for (std::size_t row = 0; row < names.size(); ++row) {
-    for (std::size_t word = 0; word < 3; ++word) {
-      const std::string name = "sum." + names[row] + '.' + static_cast<char>('0' + word);
-      channels.push_back({name, wordOf((1 + row) * sizeof(image::LayerRow), word)});
-    }
-  }
-  return channels;
-}
+std::vector<LayerWordChannel> layerWordChannels(std::uint32_t sums);
 
 /// The names of the channels of mattes: the id and the count of each slot, first those of objects.
-inline std::vector<std::string> matteChannelNames(const ChannelChoice& choice) {
-  std::vector<std::string> names;
-  for (const image::MatteKind kind : image::kMatteKinds) {
-    const std::string prefix = kind == image::MatteKind::object ? "id.object." : "id.material.";
-    for (std::uint32_t slot = 0; slot < choice.matteSlots[static_cast<std::size_t>(kind)]; ++slot) {
-      for (const char* const suffix : {".id", ".count"}) names.push_back(prefix + std::to_string(slot) + suffix);
-    }
-  }
-  return names;
-}
+std::vector<std::string> matteChannelNames(const ChannelChoice& choice);
 
-inline std::vector<WordChannel> wordChannels(bool hasAlpha) {
-  std::vector<WordChannel> channels(kWordChannels.begin(), kWordChannels.end());
-  if (hasAlpha) channels.push_back(kHitChannel);
-  return channels;
-}
+std::vector<WordChannel> wordChannels(bool hasAlpha);
 
-inline std::vector<PictureChannel> pictureChannels(bool hasAlpha) {
-  std::vector<PictureChannel> channels(kPictureChannels.begin(), kPictureChannels.end());
-  if (hasAlpha) channels.push_back(kAlphaChannel);
-  return channels;
-}
+std::vector<PictureChannel> pictureChannels(bool hasAlpha);
 
 /// Bytes of a pixel in a block that is not compressed.
-inline std::size_t pixelBytes(const ChannelChoice& choice) {
-  const std::size_t layerWords = choice.sums == 0 ? 0 : 2 + 3 * (choice.layerRows() - 1);
-  return 4 * (kWordChannels.size() + kPictureChannels.size() + (choice.hasAlpha ? 2 : 0) + layerWords +
-              2 * choice.slotCount());
-}
+std::size_t pixelBytes(const ChannelChoice& choice);
 
-inline Imf::ChannelList filmChannels(const ChannelChoice& choice) {
-  const Imf::Channel real(Imf::FLOAT), word(Imf::UINT);
-  Imf::ChannelList list;
-  for (const PictureChannel& channel : pictureChannels(choice.hasAlpha)) list.insert(channel.name, real);
-  for (const WordChannel& channel : wordChannels(choice.hasAlpha)) list.insert(channel.name, word);
-  for (const LayerWordChannel& channel : layerWordChannels(choice.sums)) list.insert(channel.name, word);
-  for (const std::string& name : matteChannelNames(choice)) list.insert(name, word);
-  return list;
-}
+Imf::ChannelList filmChannels(const ChannelChoice& choice);
 
 /// Adds the words of `pixels`, which are the rows of `window` from its top on. OpenEXR takes pointers to non-const even
 /// where it only reads.
-inline void addWords(Imf::FrameBuffer& buffer, const image::FilmPixel* pixels, const Imath::Box2i& window,
-                     bool hasAlpha) {
-  const auto width = static_cast<std::size_t>(window.max.x - window.min.x + 1);
-  for (const WordChannel& channel : wordChannels(hasAlpha)) {
-    const std::byte* const first = reinterpret_cast<const std::byte*>(pixels) + channel.offset;
-    buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, sizeof *pixels, width * sizeof *pixels));
-  }
-}
+void addWords(Imf::FrameBuffer& buffer, const image::FilmPixel* pixels, const Imath::Box2i& window, bool hasAlpha);
 
 /// Adds the words of the records of layers, which are those of the rows of `window`.
-inline void addLayerWords(Imf::FrameBuffer& buffer, const image::LayerRow* rows, const Imath::Box2i& window,
-                          const ChannelChoice& choice) {
-  const std::size_t pixelStride = choice.layerRows() * sizeof *rows;
-  const std::size_t rowStride = static_cast<std::size_t>(window.max.x - window.min.x + 1) * pixelStride;
-  for (const LayerWordChannel& channel : layerWordChannels(choice.sums)) {
-    const std::byte* const first = reinterpret_cast<const std::byte*>(rows) + channel.offset;
-    buffer.insert(channel.name, Imf::Slice::Make(Imf::UINT, first, window, pixelStride, rowStride));
-  }
-}
+void addLayerWords(Imf::FrameBuffer& buffer, const image::LayerRow* rows, const Imath::Box2i& window,
+                   const ChannelChoice& choice);
 
 /// Adds the words of mattes: for each pixel of `window`, two for each slot.
-inline void addMatteWords(Imf::FrameBuffer& buffer, const std::uint32_t* words, const Imath::Box2i& window,
-                          const ChannelChoice& choice) {
-  const std::size_t pixelStride = 2 * choice.slotCount() * sizeof *words;
-  const std::size_t rowStride = static_cast<std::size_t>(window.max.x - window.min.x + 1) * pixelStride;
-  for (const std::string& name : matteChannelNames(choice)) {
-    buffer.insert(name, Imf::Slice::Make(Imf::UINT, words++, window, pixelStride, rowStride));
-  }
-}
+void addMatteWords(Imf::FrameBuffer& buffer, const std::uint32_t* words, const Imath::Box2i& window,
+                   const ChannelChoice& choice);
 
 }  // namespace candela::film

@@ -1,4 +1,4 @@
-// Coverage of a film, and differences between two headers.
+// Coverage of a film, and the settings that its header names.
 #include "host/film/film_header.h"
 
 #include <fmt/format.h>
@@ -26,45 +26,6 @@ void setAdaptiveCoverage(FilmHeader& header, const image::Film& film, const rend
   const std::uint32_t end = isFinished ? header.samplesPerPixel : render::minSampleCount(film.pixels());
   header.covered = boxOf(header.window, 0, end);
   header.begun = boxOf(header.window, end, header.samplesPerPixel);
-}
-
-std::string clause(const std::string& what, const std::string& inA, const std::string& inB, const std::string& a,
-                   const std::string& b) {
-  return fmt::format("{} is {} in {} and {} in {}", what, inA.empty() ? "absent" : inA, a, inB.empty() ? "absent" : inB,
-                     b);
-}
-
-using Members = std::vector<std::pair<std::string, std::string>>;
-
-// Names and values of all members that must be equal in two films of one estimate, in the order in which they are
-// compared.
-Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
-  Members members{{"the scene's hash", header.sceneHash},
-                  {"--size", render::extentText(header.size)},
-                  {"--spp", fmt::to_string(header.samplesPerPixel)},
-                  {"--seed", fmt::to_string(header.seed)}};
-  std::map<std::string, std::string> names = header.settings;
-  names.insert(other.settings.begin(), other.settings.end());
-  for (const auto& [name, value] : names) members.emplace_back("--" + name, header.setting(name));
-  members.emplace_back("--aov", image::layerText(header.layers));
-  return members;
-}
-
-Members membersOf(const Tracer& tracer) {
-  return {{"the device", tracer.device},
-          {"the driver", tracer.driver},
-          {"the platform", tracer.platform},
-          {"the hash of the kernels", tracer.kernels},
-          {"the program's version", tracer.program}};
-}
-
-std::vector<std::string> differences(const Members& inA, const Members& inB, const std::string& a,
-                                     const std::string& b) {
-  std::vector<std::string> clauses;
-  for (std::size_t i = 0; i < inA.size(); ++i) {
-    if (inA[i] != inB[i]) clauses.push_back(clause(inA[i].first, inA[i].second, inB[i].second, a, b));
-  }
-  return clauses;
 }
 
 }  // namespace
@@ -138,16 +99,6 @@ std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header) {
   if (covered != nullptr) return covered->samples.first;
   if (begun != nullptr) return begun->samples.first;
   return std::nullopt;
-}
-
-std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
-                                             const std::string& b) {
-  return differences(estimateOf(inA, inB), estimateOf(inB, inA), a, b);
-}
-
-std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
-                                           const std::string& b) {
-  return differences(membersOf(inA), membersOf(inB), a, b);
 }
 
 }  // namespace candela::film

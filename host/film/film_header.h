@@ -32,6 +32,7 @@ struct Tracer {
   auto operator<=>(const Tracer&) const = default;
 };
 
+/// All texts are valid UTF-8: validUtf8() of names that may contain other bytes.
 struct FilmHeader {
   std::string sceneHash;              ///< 16 hexadecimal digits
   render::Extent size;                ///< of the full image
@@ -90,10 +91,6 @@ std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHe
 /// Returns the differences of two tracers.
 std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
                                            const std::string& b);
-
-/// Returns `text` with every byte that is not UTF-8 replaced by U+FFFD, since names of devices may contain any bytes.
-/// All texts of a header are valid.
-std::string validText(const std::string& text);
 
 /// Canonical JSON: equal headers have equal texts.
 std::string toJson(const FilmHeader& header);

@@ -63,8 +63,6 @@ void appendEnds(const Weights& ends, Rows& rows) {
   appendSpans((ends.size() + gpu::kEndsPerRow - 1) / gpu::kEndsPerRow, rows);
 }
 
-}  // namespace
-
 Rows environmentRows(const scene::Environment& environment) {
   const std::size_t width = environment.width, height = environment.height;
   const auto weightsOfRow = [&](std::size_t y) { return std::span(environment.weights).subspan(y * width, width); };
@@ -87,6 +85,19 @@ Rows environmentRows(const scene::Environment& environment) {
   }
   rows.insert(rows.end(), ends.begin(), ends.end());
   return rows;
+}
+
+}  // namespace
+
+void appendEnvironment(const scene::Environment& environment, FlatScene& flat) {
+  flat.constants.environmentX = environment.axes[0];
+  flat.constants.environmentY = environment.axes[1];
+  flat.constants.environmentZ = environment.axes[2];
+  flat.constants.environmentWidth = environment.width;
+  flat.constants.environmentHeight = environment.height;
+  flat.constants.firstEnvironmentRow = rowCount(flat.rows);
+  const Rows rows = environmentRows(environment);
+  flat.rows.insert(flat.rows.end(), rows.begin(), rows.end());
 }
 
 }  // namespace candela::flatten

@@ -36,4 +36,11 @@ Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Came
   return rows;
 }
 
+void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat) {
+  const Rows lights = pointLightRows(scene.pointLights, *scene.camera, lightSize);
+  flat.constants.firstLightRow = rowCount(flat.rows);
+  flat.constants.lightCount = static_cast<std::uint32_t>(scene.pointLights.size());
+  flat.rows.insert(flat.rows.end(), lights.begin(), lights.end());
+}
+
 }  // namespace candela::flatten

@@ -1,6 +1,7 @@
 // Stores primitives and attributes as 16-byte records.
 #include "host/flatten/flatten_primitives.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/scene/shape.h"
@@ -31,61 +32,6 @@ void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const P
   rows.push_back({0, 0, 0, context.primitive});
   placeSphere(sphere, scene.camera->from, std::span(rows).last<2>());
   rows.push_back({context.light, 0, 0, kindWord(scene, context, gpu::kKindSphere | inside)});
-}
-
-void appendNormals(const scene::VertexNormals& normals, std::uint32_t light, Rows& rows) {
-  rows.push_back(row(glm::dvec3(normals.n[0]), light));
-  rows.push_back(row(glm::dvec3(normals.n[1]), 0u));
-  rows.push_back(row(glm::dvec3(normals.n[2]), 0u));
-}
-
-// Coordinates that a mesh lacks are 0.
-void appendTexCoords(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows) {
-  for (std::uint32_t corner = 0; corner < 3; ++corner) {
-    const std::size_t vertex = vertexIndex(mesh, triangle, corner);
-    gpu::uvec4 words(0);
-    for (int set = 0; set < 2; ++set) {
-      const std::vector<glm::vec2>& coords = mesh.texCoords[static_cast<std::size_t>(set)];
-      if (coords.empty()) continue;
-      words[2 * set] = floatBits(double{coords[vertex].x});
-      words[2 * set + 1] = floatBits(double{coords[vertex].y});
-    }
-    rows.push_back(words);
-  }
-}
-
-// Appends the values of an attribute at the three vertices.
-void appendVectors(const scene::Mesh& mesh, const std::vector<glm::vec4>& attribute, std::uint32_t triangle,
-                   Rows& rows) {
-  for (const glm::vec4& value : attributeOf(mesh, attribute, triangle)) {
-    rows.push_back(row(glm::dvec3(value), double{value.w}));
-  }
-}
-
-// Returns the flags that name a triangle's attributes.
-std::uint32_t attributeFlags(const scene::Scene& scene, const PrimitiveContext& context,
-                             const scene::Primitive& triangle) {
-  const scene::Material& material = scene.materials[triangle.material];
-  const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
-  const bool isMapped = hasTexture || (context.keepsTexCoords && !meshOf(scene, triangle).texCoords[0].empty());
-  return (isSmooth(scene, triangle) ? gpu::kFlagSmooth : 0) | (isMapped ? gpu::kFlagTexCoords : 0) |
-         (meshOf(scene, triangle).colours.empty() ? 0 : gpu::kFlagColours) |
-         (hasTangents(scene, triangle) ? gpu::kFlagTangents : 0) |
-         (coloursOfEmission(scene, triangle) ? gpu::kFlagEmissionColours : 0);
-}
-
-// Appends the attributes that the flags of a triangle name.
-void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
-                      std::uint32_t flags, Rows& rows) {
-  if (flags & gpu::kFlagSmooth) {
-    appendNormals(vertexNormalsOf(scene, triangle), context.light, rows);
-  } else {
-    rows.push_back({context.light, 0, 0, 0});
-  }
-  const scene::Mesh& mesh = meshOf(scene, triangle);
-  if (flags & gpu::kFlagTexCoords) appendTexCoords(mesh, triangle.index, rows);
-  if (flags & gpu::kFlagColours) appendVectors(mesh, mesh.colours, triangle.index, rows);
-  if (flags & gpu::kFlagTangents) appendVectors(mesh, mesh.tangents, triangle.index, rows);
 }
 
 void appendShape(const scene::Triangle& triangle, const scene::Scene& scene, const PrimitiveContext& context,
@@ -122,6 +68,13 @@ void appendShape(const scene::Plane& plane, const scene::Scene& scene, const Pri
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindPlane)});
 }
 
+// Appends the records of one primitive to `primitives`, and those of its vertices' attributes, if it has any, to
+// `attributes`. A triangle refers to `attributes` by the index of a record within that section.
+void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes) {
+  std::visit([&](const auto& shape) { appendShape(shape, scene, context, primitives, attributes); },
+             shapeOf(scene, scene.primitives[context.primitive]));
+}
+
 }  // namespace
 
 void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows) {
@@ -133,9 +86,39 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
   rows[1] = row(k, rows[1].w);
 }
 
-void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes) {
-  std::visit([&](const auto& shape) { appendShape(shape, scene, context, primitives, attributes); },
-             shapeOf(scene, scene.primitives[context.primitive]));
+void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
+                      std::span<const LightEntry> table, const std::vector<bool>& touched, bool keepsTexCoords,
+                      FlatScene& flat) {
+  std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
+  }
+  // Vectors that grow would copy the records of large meshes several times. Memory beyond the part in use is never
+  // touched.
+  const std::size_t attributeRows = order.size() * attributeRowsOf(flat.features);
+  Rows attributes;
+  attributes.reserve(attributeRows);
+  flat.rows.reserve(flat.rows.size() + order.size() * gpu::kPrimitiveRows + attributeRows);
+  flat.constants.firstPrimitiveRow = rowCount(flat.rows);
+  for (const std::uint32_t primitive : order) {
+    const PrimitiveContext context{.primitive = primitive,
+                                   .light = lightOf[primitive],
+                                   .touched = touched[primitive],
+                                   .keepsTexCoords = keepsTexCoords};
+    appendPrimitive(scene, context, flat.rows, attributes);
+  }
+  flat.constants.firstAttributeRow = rowCount(flat.rows);
+  flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());
+}
+
+void copySlotRows(FlatScene& flat) {
+  flat.uniformSlots = flat.slotCount;
+  const auto first = flat.rows.begin() + flat.constants.firstPrimitiveRow;
+  std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.slotRows.begin());
+  for (std::uint32_t slot = 0; slot < flat.uniformSlots; ++slot) {
+    const std::uint32_t kindAndFlags = first[slot * gpu::kPrimitiveRows + 2].w & 0xffu;
+    flat.uniformKinds[slot / 4] |= kindAndFlags << 8 * (slot % 4);
+  }
 }
 
 }  // namespace candela::flatten

@@ -2,8 +2,11 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "host/flatten/flat_rows.h"
+#include "host/flatten/flat_scene.h"
+#include "host/flatten/light_table.h"
 #include "host/scene/scene.h"
 
 namespace candela::flatten {
@@ -20,8 +23,25 @@ struct PrimitiveContext {
 /// centre to the anchor.
 void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows);
 
-/// Appends the records of one primitive to `primitives`, and those of its vertices' attributes, if it has any, to
-/// `attributes`. A triangle refers to `attributes` by the index of a record within that section.
-void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes);
+/// Estimates the number of records of a triangle's attributes: three for each attribute that the scene has.
+std::size_t attributeRowsOf(const SceneFeatures& features);
+
+/// Returns the flags that name a triangle's attributes.
+std::uint32_t attributeFlags(const scene::Scene& scene, const PrimitiveContext& context,
+                             const scene::Primitive& triangle);
+
+/// Appends the attributes that the flags of a triangle name.
+void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
+                      std::uint32_t flags, Rows& rows);
+
+/// Appends the records of the primitives in this order, followed by the attributes of their vertices, and sets the
+/// constants that refer to them. `table` is the light table, `touched` the result of touchedPrimitives(), and
+/// `keepsTexCoords` as in PrimitiveContext.
+void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
+                      std::span<const LightEntry> table, const std::vector<bool>& touched, bool keepsTexCoords,
+                      FlatScene& flat);
+
+/// Copies the records of slots to the uniform buffer.
+void copySlotRows(FlatScene& flat);
 
 }  // namespace candela::flatten

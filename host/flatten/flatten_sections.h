@@ -12,6 +12,11 @@
 
 namespace candela::flatten {
 
+/// Appends the records of the light table, followed by the cones of its spot lights, and sets the constants that refer
+/// to them. `order`: the primitives in the order of their slots.
+void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> order,
+                  FlatScene& flat);
+
 /// Sets the features that follow from the light table, which is empty for the Whitted tracer, and from the primitives
 /// that lights touch: see touchedPrimitives().
 void noteLights(std::span<const LightEntry> table, const std::vector<bool>& touched, SceneFeatures& features);
@@ -27,6 +32,8 @@ void appendWideNodes(const accel::WideBvh& wide, Rows& rows);
 /// Returns the records of the Whitted tracer's lights: all point lights in the given order, as squares of side `size`
 /// (0: points) that face the camera's target: see docs/light-transport.md section 9.
 Rows pointLightRows(std::span<const scene::PointLight> lights, const scene::Camera& camera, double size);
+/// Appends these records, and sets the constants that refer to them.
+void appendPointLights(const scene::Scene& scene, double lightSize, FlatScene& flat);
 
 /// The surfaces of a scene's materials in the order of their records.
 struct SurfaceOrder {
@@ -41,6 +48,12 @@ Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order);
 /// Returns the records of the energy tables, of the glass tables if there are volumes, of the sheen table if there is a
 /// sheen, and of the tables for anisotropic microfacets if there are any.
 Rows energyRows(const SceneFeatures& features);
+
+/// Appends the records of materials: lobes and emission as the integrator sees them.
+void appendMaterials(const scene::Scene& scene, render::Integrator integrator, const SurfaceOrder& order,
+                     FlatScene& flat);
+/// Appends the records of surfaces and of the energy tables that they need.
+void appendSurfaces(const scene::Scene& scene, const SurfaceOrder& order, FlatScene& flat);
 
 /// Returns the linear values of 8-bit sRGB: kSrgbTableRows records.
 Rows srgbTableRows();
@@ -58,7 +71,7 @@ Rows textureRows(const scene::Scene& scene);
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
 Rows skyRows(const scene::Sky& sky);
 
-/// Returns the texels of the environment with their densities, and its alias table.
-Rows environmentRows(const scene::Environment& environment);
+/// Appends the texels of the environment with their densities, and its alias table, and sets its constants.
+void appendEnvironment(const scene::Environment& environment, FlatScene& flat);
 
 }  // namespace candela::flatten

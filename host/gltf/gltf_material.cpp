@@ -1,11 +1,11 @@
 // Reads materials.
 #include "host/gltf/gltf_material.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
+#include "host/gltf/material_extensions.h"
+#include "host/gltf/material_factors.h"
 #include "host/scene/quote.h"
 
 namespace candela::gltf {
@@ -23,52 +23,12 @@ constexpr std::array kOfMetallicRoughness{"KHR_materials_ior",          "KHR_mat
                                           "KHR_materials_transmission", "KHR_materials_volume",
                                           "KHR_materials_dispersion",   "CANDELA_materials_conductor"};
 
-/// Returns a factor, clamped to 0 to 1 if it is outside by no more than the rounding of a program that wrote it.
-double clampedFraction(const Value& source, double value) {
-  constexpr double kRounding = 1e-5;
-  if (value < -kRounding || value > 1 + kRounding) source.fail(fmt::format("{} is outside 0 to 1", value));
-  return std::clamp(value, 0.0, 1.0);
-}
-
-double fraction(const Value& object, const char* key, double absent) {
-  const std::optional<Value> value = object.find(key);
-  return value ? clampedFraction(*value, value->number()) : absent;
-}
-
-template <class Vector>
-Vector fractions(const Value& object, const char* key, const Vector& absent) {
-  Vector value = object.vectorOr(key, absent);
-  const std::optional<Value> source = object.find(key);
-  for (glm::length_t c = 0; source && c < Vector::length(); ++c) {
-    value[c] = static_cast<float>(clampedFraction(*source, double{value[c]}));
-  }
-  return value;
-}
-
-double atLeastZero(const Value& object, const char* key, double absent) {
-  const double value = object.numberOr(key, absent);
-  if (value < 0) object.require(key).fail(fmt::format("{} is negative", value));
-  return value;
-}
-
-glm::vec3 atLeastZero(const Value& object, const char* key, const glm::vec3& absent) {
-  const glm::vec3 value = object.vectorOr(key, absent);
-  if (glm::any(glm::lessThan(value, glm::vec3(0)))) object.require(key).fail("a component is negative");
-  return value;
-}
-
 AlphaMode alphaModeOf(const Value& material) {
   const std::string mode = material.textOr("alphaMode", "OPAQUE");
   if (mode == "OPAQUE") return AlphaMode::opaque;
   if (mode == "MASK") return AlphaMode::mask;
   if (mode != "BLEND") material.require("alphaMode").fail(scene::quote(mode) + " is not OPAQUE, MASK or BLEND");
   return AlphaMode::blend;
-}
-
-std::optional<scene::TextureReference> textureIn(const Value& object, const char* key,
-                                                 const TextureReader& readTexture) {
-  const std::optional<Value> info = object.find(key);
-  return info ? readTexture(*info) : std::nullopt;
 }
 
 void readMetallicRoughness(const Value& pbr, const TextureReader& readTexture, GltfMaterial& result) {
@@ -88,99 +48,9 @@ void readEmission(const Value& material, const TextureReader& readTexture, GltfM
   result.emissionTexture = textureIn(material, "emissiveTexture", readTexture);
 }
 
-/// Returns the scale of a normal map.
-double scaleIn(const Value& object, const char* key) {
-  const std::optional<Value> info = object.find(key);
-  return info ? info->numberOr("scale", 1) : 1;
-}
-
 void readNormalMap(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
   result.normalTexture = textureIn(material, "normalTexture", readTexture);
   result.normalScale = scaleIn(material, "normalTexture");
-}
-
-void readSpecular(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> specular = extensionOf(material, "KHR_materials_specular");
-  if (!specular) return;
-  result.specular = fraction(*specular, "specularFactor", 1);
-  result.specularColour = atLeastZero(*specular, "specularColorFactor", glm::vec3(1));
-  result.specularTexture = textureIn(*specular, "specularTexture", readTexture);
-  result.specularColourTexture = textureIn(*specular, "specularColorTexture", readTexture);
-}
-
-void readTransmission(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  if (const std::optional<Value> ior = extensionOf(material, "KHR_materials_ior")) {
-    result.ior = ior->numberOr("ior", 1.5);
-    if (result.ior != 0 && result.ior < 1)
-      ior->require("ior").fail("the index of refraction is neither 0 nor at least 1");
-  }
-  const std::optional<Value> transmission = extensionOf(material, "KHR_materials_transmission");
-  if (!transmission) return;
-  result.transmission = fraction(*transmission, "transmissionFactor", 0);
-  result.transmissionTexture = textureIn(*transmission, "transmissionTexture", readTexture);
-  const std::optional<Value> volume = extensionOf(material, "KHR_materials_volume");
-  if (!volume) return;
-  result.thickness = atLeastZero(*volume, "thicknessFactor", 0);
-  result.attenuationColour = fractions(*volume, "attenuationColor", glm::vec3(1));
-  if (!volume->find("attenuationDistance")) return;
-  result.attenuationDistance = atLeastZero(*volume, "attenuationDistance", 0);
-  if (result.attenuationDistance == 0) volume->require("attenuationDistance").fail("0 is not positive");
-}
-
-void readDispersion(const Value& material, GltfMaterial& result) {
-  const std::optional<Value> dispersion = extensionOf(material, "KHR_materials_dispersion");
-  if (dispersion) result.dispersion = atLeastZero(*dispersion, "dispersion", 0);
-}
-
-void readClearcoat(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> coat = extensionOf(material, "KHR_materials_clearcoat");
-  if (!coat) return;
-  result.clearcoat = fraction(*coat, "clearcoatFactor", 0);
-  result.clearcoatRoughness = fraction(*coat, "clearcoatRoughnessFactor", 0);
-  result.clearcoatTexture = textureIn(*coat, "clearcoatTexture", readTexture);
-  result.clearcoatRoughnessTexture = textureIn(*coat, "clearcoatRoughnessTexture", readTexture);
-  result.clearcoatNormalTexture = textureIn(*coat, "clearcoatNormalTexture", readTexture);
-  result.clearcoatNormalScale = scaleIn(*coat, "clearcoatNormalTexture");
-}
-
-void readSheen(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> sheen = extensionOf(material, "KHR_materials_sheen");
-  if (!sheen) return;
-  result.sheenColour = fractions(*sheen, "sheenColorFactor", glm::vec3(0));
-  result.sheenRoughness = fraction(*sheen, "sheenRoughnessFactor", 0);
-  result.sheenColourTexture = textureIn(*sheen, "sheenColorTexture", readTexture);
-  result.sheenRoughnessTexture = textureIn(*sheen, "sheenRoughnessTexture", readTexture);
-}
-
-void readIridescence(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> film = extensionOf(material, "KHR_materials_iridescence");
-  if (!film) return;
-  result.iridescence = fraction(*film, "iridescenceFactor", 0);
-  result.iridescenceIor = film->numberOr("iridescenceIor", 1.3);
-  if (result.iridescenceIor < 1) film->require("iridescenceIor").fail("the index of refraction is below 1");
-  result.iridescenceMinimum = atLeastZero(*film, "iridescenceThicknessMinimum", 100);
-  result.iridescenceMaximum = atLeastZero(*film, "iridescenceThicknessMaximum", 400);
-  result.iridescenceTexture = textureIn(*film, "iridescenceTexture", readTexture);
-  result.iridescenceThicknessTexture = textureIn(*film, "iridescenceThicknessTexture", readTexture);
-}
-
-void readAnisotropy(const Value& material, const TextureReader& readTexture, GltfMaterial& result) {
-  const std::optional<Value> anisotropy = extensionOf(material, "KHR_materials_anisotropy");
-  if (!anisotropy) return;
-  result.anisotropy = fraction(*anisotropy, "anisotropyStrength", 0);
-  result.anisotropyRotation = anisotropy->numberOr("anisotropyRotation", 0);
-  result.anisotropyTexture = textureIn(*anisotropy, "anisotropyTexture", readTexture);
-}
-
-void readConductor(const Value& material, GltfMaterial& result) {
-  const std::optional<Value> extension = extensionOf(material, "CANDELA_materials_conductor");
-  if (!extension) return;
-  scene::Conductor conductor{.ior = extension->vectorOr("ior", glm::vec3(0)),
-                             .extinction = atLeastZero(*extension, "extinction", glm::vec3(0))};
-  if (glm::any(glm::lessThanEqual(conductor.ior, glm::vec3(0)))) {
-    extension->require("ior").fail("a component is not positive");
-  }
-  result.conductor = conductor;
 }
 
 /// The parameters of pbrMetallicRoughness and of the extensions that change its dielectric or its metal.

@@ -2,6 +2,8 @@
 #include "host/image/separable_filter.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 namespace candela::image {
 namespace {
@@ -44,6 +46,19 @@ Plane filteredColumns(const Plane& in, const Kernel& kernel) {
 Plane filtered(const Plane& in, const Kernel& horizontal, const Kernel& vertical) {
   if (in.values.empty()) return {in.width, in.height, {}};
   return filteredColumns(filteredRows(in, horizontal), vertical);
+}
+
+Kernel gaussian(int radius, double deviation) {
+  Kernel kernel;
+  for (int x = -radius; x <= radius; ++x) kernel.push_back(std::exp(-x * x / (2 * deviation * deviation)));
+  return kernel;
+}
+
+double sum(const Kernel& kernel) { return std::accumulate(kernel.begin(), kernel.end(), 0.0); }
+
+Kernel scaled(Kernel kernel, double factor) {
+  for (double& weight : kernel) weight *= factor;
+  return kernel;
 }
 
 }  // namespace candela::image

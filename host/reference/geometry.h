@@ -11,6 +11,9 @@ namespace candela::reference {
 
 using glm::dvec2;
 
+/// Returns a distance that is a hit, or kNoHit.
+inline double positiveOrNoHit(double t) { return t > 0 ? t : kNoHit; }
+
 /// Radius < 0: the sphere is hit only from inside.
 struct SphereShape {
   dvec3 centre;

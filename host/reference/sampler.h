@@ -17,6 +17,9 @@ Words pcg4d(Words v);
 /// "Practical Hash-based Owen Scrambling", JCGT 2020).
 std::uint32_t owenPermutation(std::uint32_t reversedBits, std::uint32_t key);
 
+/// Returns the word with its bits in the opposite order.
+std::uint32_t reverseBits(std::uint32_t word);
+
 /// Returns point `index` of Sobol dimension `slot` + 1, unscrambled, with the direction numbers of Joe and Kuo. `slot`
 /// in 0..3.
 std::uint32_t sobolPoint(std::uint32_t index, std::uint32_t slot);

@@ -1,75 +1,17 @@
 // Finds the odd participant of each sample, confirms it, and counts.
 #include "host/verify/decisions.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "host/statistics/error_rates.h"
+#include "host/verify/decision_participants.h"
 
 namespace candela::verify {
 namespace {
 
 constexpr std::size_t kDevice = kReplicas;
-
-double maxChannel(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
-
-/// Values that agree with each other.
-class Consensus {
- public:
-  explicit Consensus(double quantum) : quantum_(quantum) {}
-
-  void add(const glm::dvec3& value) { values_.push_back(value); }
-
-  bool excludes(const glm::dvec3& value) const {
-    glm::dvec3 mean(0);
-    for (const glm::dvec3& other : values_) mean += other / static_cast<double>(values_.size());
-    double spread = 0;
-    for (const glm::dvec3& other : values_) spread = std::max(spread, maxChannel(glm::abs(other - mean)));
-    const double tolerance = kSpread * spread + kSpreadFloor * maxChannel(glm::abs(mean)) + quantum_;
-    return maxChannel(glm::abs(value - mean)) > tolerance;
-  }
-
- private:
-  double quantum_;
-  std::vector<glm::dvec3> values_;
-};
-
-/// One sample: the replicas, then the device, of which only the value is known.
-struct Participants {
-  double quantum;  ///< filmQuantum() of the device's film
-  std::array<glm::dvec3, kReplicas + 1> values;
-  std::array<std::uint64_t, kReplicas> decisions;
-
-  Consensus othersOf(std::size_t odd) const {
-    Consensus others(quantum);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (i != odd) others.add(values[i]);
-    }
-    return others;
-  }
-
-  bool othersDecideAlike(std::size_t odd) const {
-    std::optional<std::uint64_t> first;
-    for (std::size_t i = 0; i < kReplicas; ++i) {
-      if (i == odd) continue;
-      if (!first) first = decisions[i];
-      if (decisions[i] != *first) return false;
-    }
-    return true;
-  }
-
-  std::optional<std::size_t> odd() const {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      if (othersDecideAlike(i) && othersOf(i).excludes(values[i])) return i;
-    }
-    return std::nullopt;
-  }
-};
 
 struct Candidate {
   std::uint32_t x, y;
@@ -168,43 +110,6 @@ DecisionTest testDecisions(const image::Film& device, render::Session& reference
   const render::ReplicaRecords records = reference.replicas();
   if (records.replicas.size() != kReplicas * device.pixels().size()) return {};
   return DecisionCounts(device, records.replicas).run(reference, level);
-}
-
-std::string DecisionTest::summary() const {
-  if (!isPossible) return "the reference traced no replicas, so only the test for equal light decides";
-  const std::uint64_t decidable = pixels - undecidable;
-  if (odd == 0) return fmt::format("all {} pixels that single precision can decide agree", decidable);
-  return fmt::format("of {} pixels that single precision can decide, {} differ on the device alone", decidable,
-                     oddDevice);
-}
-
-std::vector<std::string> DecisionTest::details() const {
-  if (!isPossible) return {};
-  std::string undecided = fmt::format("{:.3g} % of {} pixels cannot be decided in single precision",
-                                      100 * undecidableFraction(), pixels);
-  if (undecidable > 0) undecided += fmt::format(" (amplification up to {:.1e} at vertex {})", amplification, vertex);
-  return {undecided, fmt::format("among the others, the device's value is the outlier in {}, a replica's in {} "
-                                 "(p = {:.1e})",
-                                 oddDevice, odd - oddDevice, pValue)};
-}
-
-std::string DecisionTest::text() const {
-  return isPossible ? fmt::format("{}", fmt::join(details(), "; ")) : summary();
-}
-
-nlohmann::ordered_json DecisionTest::json() const {
-  return {{"agrees", isPossible ? nlohmann::ordered_json(agrees()) : nlohmann::ordered_json()},
-          {"possible", isPossible},
-          {"undecidable", undecidable},
-          {"undecidableFraction", undecidableFraction()},
-          {"amplification", amplification},
-          {"amplificationVertex", vertex},
-          {"replicas", kReplicas},
-          {"candidates", candidates},
-          {"odd", odd},
-          {"oddDevice", oddDevice},
-          {"pValue", pValue},
-          {"level", level}};
 }
 
 }  // namespace candela::verify

@@ -1,66 +1,29 @@
-// Formats the verdict as text, JSON and JUnit XML.
+// The verdict, and the report as text and JSON.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "host/core/markup.h"
 #include "host/core/report_head.h"
-#include "host/verify/verify.h"
+#include "host/verify/verify_answers.h"
 
 namespace candela::verify {
 namespace {
 
 using nlohmann::ordered_json;
 
-std::size_t differingTiles(const LightTestResult& light) {
-  std::size_t count = 0;
-  for (const RegionResult& result : light.regions) count += result.differs && result.region.tileSize > 0 ? 1 : 0;
-  return count;
-}
-
-std::string pathsText(const VerifyReport& report) {
-  const PixelAgreement& paths = report.paths;
-  std::string text = fmt::format("1 Same numbers, same paths?  {}: {}\n",
-                                 !paths.decisions.isPossible ? "not asked"
-                                 : paths.agree()             ? "yes"
-                                                             : "NO",
-                                 paths.decisions.summary());
-  for (const std::string& line : paths.decisions.details()) text += fmt::format("{:29}{}\n", "", line);
-  return text + fmt::format(
-                    "                             {:.3f} % of {} pixels are equal to {:.0e}\n"
-                    "                             first differences of the others:{}\n",
-                    100 * paths.equalFraction(), paths.pixels, kRelativeTolerance, paths.causesText());
-}
-
-std::string lightText(const VerifyReport& report) {
-  const LightTestResult& light = report.light;
-  std::string text = fmt::format(
-      "2 Same light?                {}: {} samples per pixel on each side, {} look{}, {} tests at p < {:.1e}\n",
-      light.differs() ? "NO" : "yes", light.samplesPerPixel, light.looks, light.looks == 1 ? "" : "s",
-      light.regions.size(), light.level);
-  text += fmt::format("                             {}\n", differenceText(light.image()));
-  const RegionResult& most = light.mostSignificant();
-  if (&most != &light.image()) text += fmt::format("                             {}\n", differenceText(most));
-  if (const std::size_t tiles = differingTiles(light))
-    text += fmt::format("                             {} tiles differ\n", tiles);
-  if (light.badSamples.samples() > 0)
-    text += fmt::format("                             {} bad samples\n", light.badSamples.samples());
-  return text;
-}
-
-std::string exactText(const VerifyReport& report) {
-  if (!report.exact) return "3 Right light?               the scene does not state an exact result\n";
-  const ExactTest& exact = *report.exact;
-  std::string text = fmt::format(
-      "3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
-      exact.isMet() ? "yes" : "NO", exact.expected, exact.device, exact.devicePValue, exact.reference,
-      exact.referencePValue);
-  if (exact.samplesPerPixel == 0) return text;
-  return text +
-         fmt::format("                             {} more samples per pixel on the device\n", exact.samplesPerPixel);
+ordered_json lightJson(const LightTestResult& light, const LightTestOptions& options) {
+  ordered_json json{{"agrees", !light.differs()},
+                    {"test", options.method == LightTestMethod::paired ? "paired" : "independent"},
+                    {"bias", light.bias},
+                    {"samplesPerPixel", light.samplesPerPixel},
+                    {"information", light.information},
+                    {"looks", light.looks},
+                    {"level", light.level},
+                    {"outOfTime", light.outOfTime}};
+  for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
+  return json;
 }
 
 std::string differenceVerdict(const VerifyReport& report) {
@@ -92,32 +55,6 @@ std::string blackVerdict(const RegionResult& image) {
       "The reference is black, and the device's mean of {:.2g} may be chance: no light was compared. This verdict is "
       "weak.",
       image.deviceMean);
-}
-
-ordered_json lightJson(const LightTestResult& light, const LightTestOptions& options) {
-  ordered_json json{{"agrees", !light.differs()},
-                    {"test", options.method == LightTestMethod::paired ? "paired" : "independent"},
-                    {"bias", light.bias},
-                    {"samplesPerPixel", light.samplesPerPixel},
-                    {"information", light.information},
-                    {"looks", light.looks},
-                    {"level", light.level},
-                    {"outOfTime", light.outOfTime}};
-  for (const RegionResult& result : light.regions) json["regions"].push_back(regionJson(result, "device"));
-  return json;
-}
-
-struct JunitCase {
-  std::string name;
-  bool passed;
-  std::string text;  ///< of a failure
-};
-
-std::string toXml(const JunitCase& junitCase) {
-  const std::string head = fmt::format("  <testcase classname=\"candela.verify\" name=\"{}\"",
-                                       xmlEscaped(junitCase.name));
-  if (junitCase.passed) return head + "/>\n";
-  return fmt::format("{}>\n    {}\n  </testcase>\n", head, junitFailure("Fail", junitCase.text));
 }
 
 }  // namespace
@@ -173,23 +110,6 @@ ordered_json toJson(const VerifyReport& report) {
                           {"samplesPerPixel", report.exact->samplesPerPixel}};
   }
   return json;
-}
-
-std::string toJunit(const VerifyReport& report, bool strict) {
-  std::vector<JunitCase> cases{
-      {"same numbers, same paths", report.paths.agree(), report.interrupted ? report.verdict() : pathsText(report)},
-      {"same light", !report.interrupted && !report.light.differs(), report.verdict()}};
-  if (report.exact) cases.push_back({"right light", report.exact->isMet(), exactText(report)});
-  if (strict) {
-    cases.push_back({"no bad samples", report.badSamples.samples() == 0,
-                     fmt::format("{} bad samples", report.badSamples.samples())});
-  }
-  const auto failures = std::count_if(cases.begin(), cases.end(), [](const JunitCase& c) { return !c.passed; });
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
-  xml += fmt::format("<testsuite name=\"candela verify {}\" tests=\"{}\" failures=\"{}\" time=\"{:.3f}\">\n",
-                     xmlEscaped(report.scene), cases.size(), failures, report.seconds);
-  for (const JunitCase& junitCase : cases) xml += toXml(junitCase);
-  return xml + "</testsuite>\n";
 }
 
 }  // namespace candela::verify

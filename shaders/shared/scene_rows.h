@@ -25,7 +25,7 @@ CANDELA_CONST uint kItemsPerRow = 4u;
 // Primitives ("slots", in the order of the BVH's leaves or of the grid's cells, with infinite planes last), three
 // records each. Common to all kinds: w of record 1 is the primitive index in the scene, w of record 2 is kind, flags
 // and material (below).
-//   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see geometry.glsl
+//   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see intersections.glsl
 //   triangle  (p0, light + 1, or first record of its attributes if it has any) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
 //   cone      (base, base radius) (apex, .) (apex radius, 0, 0, .)

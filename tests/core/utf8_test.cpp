@@ -42,6 +42,12 @@ TEST_CASE("a byte that begins no character of UTF-8 is one invalid character") {
   }
 }
 
+TEST_CASE("every byte that is not UTF-8 becomes U+FFFD in valid text") {
+  CHECK(validUtf8("Ger\xe4t") == "Ger\xef\xbf\xbdt");
+  CHECK(validUtf8("\xc3(\xe2\x82\n") == "\xef\xbf\xbd(\xef\xbf\xbd\xef\xbf\xbd\n");
+  CHECK(validUtf8("Ger\xc3\xa4t") == "Ger\xc3\xa4t");
+}
+
 TEST_CASE("a printable line has no control characters, is valid, and ends with a whole character") {
   CHECK(printableLine("\x1b[31mred\x07\t\xff\xfe caf\xc3\xa9 \xc2\x9b\x7f", 100) ==
         "?[31mred? \xef\xbf\xbd\xef\xbf\xbd caf\xc3\xa9 ??");

@@ -32,15 +32,12 @@ TEST_CASE("a header survives conversion to JSON and back") {
   CHECK(headerFromJson(toJson(plain)) == plain);
 }
 
-TEST_CASE("names that are not ASCII survive as ASCII text, and bytes that are not UTF-8 do no harm") {
+TEST_CASE("names that are not ASCII survive as ASCII text") {
   FilmHeader header = fullHeader();
   header.tracers[0].device = "Gerät";
   const std::string text = toJson(header);
   CHECK(std::ranges::all_of(text, [](char c) { return c > 0; }));
   CHECK(headerFromJson(text) == header);
-  CHECK(validText("Ger\xe4t") == "Ger\xef\xbf\xbdt");
-  CHECK(validText("\xc3(\xe2\x82") == "\xef\xbf\xbd(\xef\xbf\xbd\xef\xbf\xbd");
-  CHECK(validText("Gerät") == "Gerät");
 }
 
 TEST_CASE("every member of a description that is impossible is refused by its pointer") {

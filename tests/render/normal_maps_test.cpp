@@ -1,83 +1,20 @@
 // Normal maps on both tracers: the same pixels at equal seeds, furnaces, closed forms, and estimators that agree.
 #include <catch2/catch.hpp>
-#include <random>
 
 #include "host/image/image.h"
-#include "host/scene/mikk_tangents.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
+#include "tests/render/normal_mapped_meshes.h"
 #include "tests/render/pixel_agreement.h"
 
 using namespace candela;
 using namespace candela::device;
+using namespace candela::test;
 using glm::vec3;
 using scene::SurfaceParameters;
 using test::SceneBuilder;
 
 namespace {
-
-// Random normals, up to 80 degrees from the surface.
-scene::TextureImage bumps(std::uint32_t side) {
-  std::mt19937 random(5);
-  scene::TextureImage image{"bumps", side, side, {}};
-  for (std::uint32_t i = 0; i < side * side; ++i) {
-    const auto word = static_cast<std::uint32_t>(random());
-    image.texels.push_back((word & 0xffffu) | (150 + (word >> 16) % 106) << 16 | 0xff000000u);
-  }
-  return image;
-}
-
-scene::TextureImage oneTexel(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
-  return {"texel", 1, 1, {red | green << 8 | blue << 16 | 0xff000000u}};
-}
-
-scene::Material mapped(const SurfaceParameters& surface) {
-  scene::Material material;
-  material.surface = surface;
-  material.textures[static_cast<std::size_t>(scene::TextureSlot::normal)].emplace();
-  return material;
-}
-
-scene::Mesh withTangents(scene::Mesh mesh) {
-  const std::vector<glm::vec4> corners = scene::mikkTangents(mesh, {});
-  mesh.tangents.resize(mesh.positions.size());
-  for (std::size_t i = 0; i < corners.size(); ++i) mesh.tangents[mesh.indices[i]] = corners[i];
-  return mesh;
-}
-
-// A square around the origin in the plane z = 0, whose tangents point along x.
-scene::Mesh flatSquare(float halfSide) {
-  scene::Mesh mesh;
-  mesh.positions = {
-      {-halfSide, -halfSide, 0}, {halfSide, -halfSide, 0}, {halfSide, halfSide, 0}, {-halfSide, halfSide, 0}};
-  mesh.texCoords[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
-  return withTangents(mesh);
-}
-
-// A ball of few triangles with smooth normals, so that geometric and shading normals differ. The image is repeated
-// `turns` times around it, mirrored if this is negative.
-scene::Mesh ball(const vec3& centre, float radius, float turns) {
-  constexpr std::uint32_t kColumns = 12, kRows = 6;
-  constexpr float kHalfTurn = 3.14159265f;
-  scene::Mesh mesh;
-  for (std::uint32_t row = 0; row <= kRows; ++row) {
-    for (std::uint32_t column = 0; column <= kColumns; ++column) {
-      const float u = static_cast<float>(column) / kColumns;
-      const float v = static_cast<float>(row) / kRows;
-      const vec3 n(std::sin(kHalfTurn * v) * std::cos(2 * kHalfTurn * u),
-                   std::sin(kHalfTurn * v) * std::sin(2 * kHalfTurn * u), std::cos(kHalfTurn * v));
-      mesh.positions.push_back(centre + radius * n);
-      mesh.normals.push_back(n);
-      mesh.texCoords[0].emplace_back(turns * u, 2 * v);
-      if (row == kRows || column == kColumns) continue;
-      const std::uint32_t at = row * (kColumns + 1) + column;
-      const std::uint32_t below = at + kColumns + 1;
-      mesh.indices.insert(mesh.indices.end(), {at, below, below + 1, at, below + 1, at + 1});
-    }
-  }
-  return withTangents(mesh);
-}
 
 struct Looks {
   const char* name;

@@ -1,0 +1,59 @@
+// Recognises the formats of image files by their extensions and their first bytes.
+#include "host/image/image_format.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "host/core/errors.h"
+#include "host/core/file_extension.h"
+#include "host/image/image.h"
+
+namespace candela::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::optional<FileFormat> formatByExtension(const fs::path& file) {
+  const std::string extension = extensionOf(file);
+  if (extension == ".png") return FileFormat::png;
+  if (extension == ".jpg" || extension == ".jpeg") return FileFormat::jpeg;
+  if (extension == ".hdr") return FileFormat::hdr;
+  if (extension == ".pfm") return FileFormat::pfm;
+  if (extension == ".exr") return FileFormat::exr;
+  return std::nullopt;
+}
+
+}  // namespace
+
+FileFormat formatByContent(ByteView bytes) {
+  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
+  if (start.starts_with("\x89PNG")) return FileFormat::png;
+  if (start.starts_with("\xff\xd8")) return FileFormat::jpeg;
+  if (start.starts_with("#?")) return FileFormat::hdr;
+  if (start.starts_with("PF") || start.starts_with("Pf")) return FileFormat::pfm;
+  if (start.starts_with("\x76\x2f\x31\x01")) return FileFormat::exr;
+  throw FileError("not a PNG, JPEG, HDR, PFM or EXR file");
+}
+
+FileFormat requireFormat(const fs::path& file) {
+  const std::optional<FileFormat> format = formatByExtension(file);
+  if (format) return *format;
+  throw UsageError(fmt::format("\"{}\": the name of an image file must end in .png, .jpg, .jpeg, .hdr, .pfm or .exr",
+                               file.string()));
+}
+
+bool hasImageExtension(const fs::path& file) { return formatByExtension(file).has_value(); }
+
+void checkImageFormat(const fs::path& file) { requireFormat(file); }
+
+bool isEightBit(const fs::path& file) {
+  const FileFormat format = requireFormat(file);
+  return format == FileFormat::png || format == FileFormat::jpeg;
+}
+
+bool isExr(const fs::path& file) { return requireFormat(file) == FileFormat::exr; }
+
+}  // namespace candela::image

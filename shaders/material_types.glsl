@@ -1,0 +1,94 @@
+// The parameters of materials, and the lobes that they give: docs/light-transport.md section 5.
+#ifndef CANDELA_MATERIAL_TYPES_GLSL
+#define CANDELA_MATERIAL_TYPES_GLSL
+
+// The parameters of a surface (docs/light-transport.md section 5.1), with the names of scene::SurfaceParameters.
+struct SurfaceParameters {
+  vec3 baseColour;
+  float metalness;
+  vec3 specularColour;
+  float specularWeight;
+  float roughness;
+  float anisotropy;  // strength
+  vec2 rotation;     // cosine and sine
+  float ior;
+  float transmissionWeight;
+  float transmissionDispersionScale;
+  bool isThinWalled;
+  float coatWeight;
+  float coatRoughness;
+  bool isCoatAlone;   // the layers below the coat do not count
+  bool lacksDiffuse;  // the diffuse lobe does not count, only those beside it
+  vec3 sheenColour;
+  float sheenRoughness;
+  float filmWeight;
+  float filmIor;
+  float filmThickness;         // in nanometres, at a texel of 1
+  float filmThicknessMinimum;  // at a texel of 0
+  bool isConductor;
+  vec3 eta;    // complex index of refraction of a conductor
+  vec3 kappa;
+};
+
+// A thin film on a dielectric, as seen from one direction: section 5.11.
+struct FilmOnGlass {
+  float weight;
+  vec3 reflectance;
+  vec3 absorbed;  // by the dielectric beside the film, at normal incidence: it neither reflects nor transmits this light
+};
+
+// The part of a surface that reflects and transmits light: section 5.5.
+struct Glass {
+  bool isThin;
+  float eta;         // index of refraction beyond the surface, relative to wo's side
+  vec3 all;          // factor of the microfacets with a reflectance of 1
+  vec3 transmitted;  // factor of the microfacets with a transmittance of 1
+  vec3 normal;       // reflectance at normal incidence, and its rise to grazing angles
+  vec3 grazing;
+  vec3 absorbed;     // of FilmOnGlass
+};
+
+// The lobes of a surface as seen from one direction: section 5.4.
+struct SurfaceLobes {
+  vec3 diffuse;         // albedo
+  vec3 specular;        // factor of the microfacets at normal incidence
+  vec3 grazing;         // factor of (1 - wo.h)^5
+  vec2 alpha;           // along x and y
+  float diffuseProbability;   // probabilities of the lobes
+  float specularProbability;
+  float glassProbability;
+  Glass glass;
+  float coat;           // factor of the coat's microfacets
+  float coatAlpha;
+  float coatProbability;      // probability of the coat, and the light that it takes from the lobes below
+  vec3 sheen;           // factor of the fibres
+  float sheenAlpha;
+  float sheenLambda;    // masking for wo
+  float sheenProbability;     // probability of the sheen
+  float belowSheen;     // the light that the sheen leaves for the lobes below
+  vec3 conductor;       // factor of conductorReflectance()
+  vec3 eta;
+  vec3 kappa;
+};
+
+struct Material {
+  bool isSurface;  // `surface` and `lobes` count, and not the members from `diffuse` on, except for the emission
+  SurfaceParameters surface;
+  uint volume;         // number of the volume that the surface bounds; 0: none
+  SurfaceLobes lobes;  // computed by prepareLobes(); with dispersion, those of `channel`
+  bool outside;        // argument of prepareLobes()
+  uint channel;        // of the index of refraction by which a direction is sampled
+  vec3 channelProbabilities;  // probabilities of the channels
+  vec3 diffuse;
+  float diffuseWeight;
+  vec3 glossy;
+  float glossyWeight;
+  vec3 specular;  // colour of the dielectric or mirror lobe
+  vec3 emission;
+  float dielectricWeight;
+  float exponent;
+  float ior;
+  bool mirror;
+};
+
+#endif

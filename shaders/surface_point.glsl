@@ -1,0 +1,107 @@
+// The point at which a ray hit a surface, as shading needs it.
+#ifndef CANDELA_SURFACE_POINT_GLSL
+#define CANDELA_SURFACE_POINT_GLSL
+#include "attributes.glsl"
+#include "hit_primitive.glsl"
+#include "scene_access.glsl"
+
+// The point at which a ray hit a surface, in world space.
+struct Surface {
+  vec3 position;
+  vec3 outward;     // geometric normal with the primitive's own orientation
+  vec3 shading;     // shading normal with the orientation of `outward`
+  uint slot;
+  uint kind;        // kind, flags and material
+  uint light;       // index in the light table + 1; 0: not in the table
+  uint index;       // primitive index in the scene
+  bool flatSurface; // the origin of rays that start here is offset
+  vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
+  vec3 colour;      // vertex colour; 1 if the primitive has none
+  vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
+  vec3 anisotropyDirection;  // direction in which the material is rougher; 0: none
+  bool isMapped;    // `shading` is that of a normal map
+  float facet;      // the number that chooses a facet then
+  vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
+};
+
+void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
+  uvec4 first = sceneRow(normalRow);
+  vec3 n0 = uintBitsToFloat(first.xyz);
+  vec3 n1 = sceneRowFloat(normalRow + 1u).xyz;
+  vec3 n2 = sceneRowFloat(normalRow + 2u).xyz;
+  vec3 interpolated = (1.0 - weights.x - weights.y) * n0 + weights.x * n1 + weights.y * n2;
+  float squared = dot(interpolated, interpolated);
+  vec3 shading = squared > 0.0 ? interpolated * (1.0 / sqrt(squared)) : surface.outward;
+  surface.shading = dot(shading, surface.outward) < 0.0 ? -shading : shading;
+  surface.light = first.w;
+}
+
+void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extra) {
+  vec2 weights = barycentrics(surface.position, p0, p1, p2);
+  precise vec3 onPlane = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
+  surface.position = onPlane;
+  surface.outward = triangleNormal(p1 - p0, p2 - p0);
+  surface.shading = surface.outward;
+  surface.light = extra;
+  uint row = constants.firstAttributeRow + extra;
+  bool hasNormals = kHasSmooth && (surface.kind & kFlagSmooth) != 0u;
+  if (hasNormals) smoothTriangle(surface, row, weights);
+  bool hasTexCoords = kHasTexCoords && (surface.kind & kFlagTexCoords) != 0u;
+  bool hasColours = kHasColours && (surface.kind & kFlagColours) != 0u;
+  bool hasTangents = kHasTangents && (surface.kind & kFlagTangents) != 0u;
+  if ((hasTexCoords || hasColours || hasTangents) && !hasNormals) surface.light = sceneRow(row).x;
+  if (hasTexCoords) surface.texCoords = texCoordsAt(row, surface.kind, weights);
+  if (hasColours) surface.colour = colourAt(row, surface.kind, weights).xyz;
+  if (hasTangents) surface.tangent = tangentAt(row, surface.kind, weights);
+}
+
+// Returns the surface point of a slot at distance t along a ray that hits it.
+Surface surfaceAt(Ray ray, uint slot, float t) {
+  uint row = primitiveRow(slot);
+  uvec4 bits0 = sceneRow(row);
+  uvec4 bits1 = sceneRow(row + 1u);
+  uvec4 bits2 = sceneRow(row + 2u);
+  vec4 row0 = uintBitsToFloat(bits0);
+  vec4 row1 = uintBitsToFloat(bits1);
+  vec4 row2 = uintBitsToFloat(bits2);
+  precise vec3 position = ray.origin + t * ray.direction;
+  Surface surface;
+  surface.position = position;
+  surface.slot = slot;
+  surface.kind = bits2.w;
+  surface.index = bits1.w;
+  surface.light = 0u;
+  surface.outward = vec3(0.0, 0.0, 1.0);
+  surface.flatSurface = true;
+  surface.texCoords = vec4(0.0);
+  surface.colour = vec3(1.0);
+  surface.tangent = vec4(0.0);
+  surface.anisotropyDirection = vec3(0.0);
+  surface.isMapped = false;
+  surface.facet = 0.0;
+  surface.jitter = vec4(0.0);
+  if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
+    surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);
+    if ((surface.kind & kFlagInsideOnly) != 0u) surface.outward = -surface.outward;
+    surface.light = bits2.x;
+    surface.flatSurface = false;
+  }
+  if (kHasBoxes && isKind(surface.kind, kKindBox)) {
+    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, startsOn(ray, slot), surface.position);
+  }
+  if (kHasCones && isKind(surface.kind, kKindCone)) {
+    surface.outward = coneNormal(surface.position, row0.xyz, row0.w, row1.xyz, row2.x);
+    surface.flatSurface = false;
+  }
+  if (kHasPlanes && isKind(surface.kind, kKindPlane)) {
+    surface.position -= dot(surface.position - row0.xyz, row1.xyz) * row1.xyz;
+    surface.outward = row1.xyz;
+  }
+  surface.shading = surface.outward;
+  if (kHasTriangles && isKind(surface.kind, kKindTriangle)) {
+    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, bits0.w);
+  }
+  return surface;
+}
+
+#endif

@@ -1,0 +1,21 @@
+// Finds options for tests.
+#pragma once
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <optional>
+#include <string>
+
+#include "host/cli/option_table.h"
+
+namespace candela::cli {
+
+/// Returns the first row of the name, or the one for a command.
+inline const Option& find(const std::string& name, std::optional<Command> command = std::nullopt) {
+  const auto& table = optionTable();
+  const auto found = std::ranges::find_if(
+      table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
+  REQUIRE(found != table.end());
+  return *found;
+}
+
+}  // namespace candela::cli
