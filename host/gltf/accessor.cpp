@@ -11,11 +11,11 @@
 namespace candela::gltf {
 namespace {
 
-bool isFinite(float value) { return std::isfinite(value); }
+bool isFiniteComponent(float value) { return std::isfinite(value); }
 
 /// Returns the index of the first element that is not finite, if there is one.
 std::optional<std::size_t> findNonFinite(std::span<const float> values, std::size_t components) {
-  const auto bad = std::ranges::find_if_not(values, isFinite);
+  const auto bad = std::ranges::find_if_not(values, isFiniteComponent);
   if (bad == values.end()) return std::nullopt;
   return static_cast<std::size_t>(bad - values.begin()) / components;
 }
@@ -23,7 +23,7 @@ std::optional<std::size_t> findNonFinite(std::span<const float> values, std::siz
 void zeroNonFinite(std::span<float> values, std::size_t components) {
   for (std::size_t i = 0; i < values.size(); i += components) {
     const std::span<float> element = values.subspan(i, components);
-    if (!std::ranges::all_of(element, isFinite)) std::ranges::fill(element, 0.0f);
+    if (!std::ranges::all_of(element, isFiniteComponent)) std::ranges::fill(element, 0.0f);
   }
 }
 

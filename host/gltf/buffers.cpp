@@ -11,8 +11,8 @@
 namespace candela::gltf {
 namespace {
 
-constexpr std::uint64_t kMinStride = 4;
-constexpr std::uint64_t kMaxStride = 252;
+constexpr std::uint64_t kMinViewStride = 4;
+constexpr std::uint64_t kMaxViewStride = 252;
 
 Bytes asBytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
@@ -20,8 +20,8 @@ std::optional<std::size_t> strideOf(const Value& view) {
   const std::optional<Value> stride = view.find("byteStride");
   if (!stride) return std::nullopt;
   const std::uint64_t value = stride->whole();
-  if (value < kMinStride || value > kMaxStride) {
-    stride->fail(fmt::format("{} is outside {} to {}", value, kMinStride, kMaxStride));
+  if (value < kMinViewStride || value > kMaxViewStride) {
+    stride->fail(fmt::format("{} is outside {} to {}", value, kMinViewStride, kMaxViewStride));
   }
   return static_cast<std::size_t>(value);
 }

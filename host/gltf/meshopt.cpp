@@ -13,7 +13,7 @@
 namespace candela::gltf {
 namespace {
 
-constexpr std::uint64_t kMaxStride = 256;
+constexpr std::uint64_t kMaxElementSize = 256;
 /// A compressed vertex block takes at least a byte for each byte of a vertex and 256 vertices; an index buffer takes at
 /// least a byte for each triangle. Larger counts are hostile.
 constexpr std::uint64_t kMaxRatio = 4096;
@@ -27,7 +27,7 @@ struct Layout {
 
 void requireStride(const Value& extension, const Layout& layout) {
   const bool isAttributes = layout.mode == "ATTRIBUTES";
-  const bool fits = isAttributes ? layout.stride % 4 == 0 && layout.stride > 0 && layout.stride <= kMaxStride
+  const bool fits = isAttributes ? layout.stride % 4 == 0 && layout.stride > 0 && layout.stride <= kMaxElementSize
                                  : layout.stride == 2 || layout.stride == 4;
   const bool fitsFilter = layout.filter == "NONE" || layout.filter == "EXPONENTIAL" ||
                           (layout.filter == "OCTAHEDRAL" && (layout.stride == 4 || layout.stride == 8)) ||

@@ -114,7 +114,7 @@ double PlaneShape::distance(const Ray& ray) const {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-Shape shapeOf(const scene::Scene& scene, const scene::Primitive& primitive) {
+Shape preparedShape(const scene::Scene& scene, const scene::Primitive& primitive) {
   return std::visit(Prepare(), scene::shapeOf(scene, primitive));
 }
 

@@ -84,6 +84,6 @@ struct PlaneShape {
 
 using Shape = std::variant<SphereShape, TriangleShape, BoxShape, ConeShape, PlaneShape>;
 
-Shape shapeOf(const scene::Scene& scene, const scene::Primitive& primitive);
+Shape preparedShape(const scene::Scene& scene, const scene::Primitive& primitive);
 
 }  // namespace candela::reference

@@ -12,7 +12,7 @@
 namespace candela::reference {
 namespace {
 
-double interpolate(const energy::Table& table, const TableAxis& x, const TableAxis& y) {
+double interpolateIsotropic(const energy::Table& table, const TableAxis& x, const TableAxis& y) {
   const auto along = [&](std::size_t j) {
     const std::size_t first = j * energy::kNodes + x.node;
     return std::lerp(double{table[first]}, double{table[first + 1]}, x.part);
@@ -79,8 +79,8 @@ SingleScattering Microfacets::albedo(const dvec3& wo) const {
 SingleScattering Microfacets::isotropicAlbedo(double cosine) const {
   const double alpha = alpha_.y;
   const TableAxis x(cosine * (1 + alpha) / (cosine + alpha), energy::kNodes), y(roughness_, energy::kNodes);
-  const double white = interpolate(energy::kWhite, x, y);
-  const double tilted = std::max(0.0, 1 - cosine - alpha * interpolate(energy::kTilt, x, y));
+  const double white = interpolateIsotropic(energy::kWhite, x, y);
+  const double tilted = std::max(0.0, 1 - cosine - alpha * interpolateIsotropic(energy::kTilt, x, y));
   return {white, white * std::pow(tilted, 5)};
 }
 

@@ -48,7 +48,7 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   Surface surface;
   surface.position = ray.at(hit.distance);
   surface.outwardNormal = std::visit(OutwardNormal{ray, hit.distance, ray.originPrimitive == hit.primitive},
-                                     shapeOf(scene, primitive));
+                                     preparedShape(scene, primitive));
   surface.fromOutside = dot(ray.direction, surface.outwardNormal) < 0;
   surface.facingNormal = surface.fromOutside ? surface.outwardNormal : -surface.outwardNormal;
   surface.shadingNormal = surface.facingNormal;

@@ -134,7 +134,7 @@ void Tracing::findReaches() {
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided) {
   const scene::Primitive& primitive = scene.primitives[index];
-  items_.push_back({shapeOf(scene, primitive), oneSided, isTransparent(scene, primitive), index});
+  items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), index});
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {
