@@ -23,6 +23,7 @@ int renderWithStops(const FilmRuns& runs, const std::string& scene, const std::s
     surroundings.interruptAfter = duration * (2 + i) / 10;
     surroundings.signal = SIGINT;
     const int code = runs.run(scene, options, surroundings).exitCode;
+    CAPTURE(i, duration.count(), code);
     REQUIRE((code == 0 || code == 7));
     if (code == 0) return stopped;
     ++stopped;

@@ -63,7 +63,8 @@ int waitFor(pid_t child, const Surroundings& surroundings) {
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     const auto elapsed = Clock::now() - start;
-    if (!interrupted && elapsed >= *surroundings.interruptAfter) {
+    if (!interrupted && elapsed >= *surroundings.interruptAfter &&
+        (surroundings.signal == SIGKILL || handlesSignal(child, surroundings.signal))) {
       kill(child, surroundings.signal);
       interrupted = true;
     }
