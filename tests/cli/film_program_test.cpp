@@ -200,6 +200,32 @@ TEST_CASE("a film file is not overwritten by a render that does not resume it") 
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", folder.path("no/where.exr")}), Contains("no folder"));
 }
 
+TEST_CASE("a film or report that could not be written is refused before anything is rendered") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string part = folder.path("part.exr"), picture = folder.path("a.png");
+  kReference.film(scene, part);
+  const auto refuse = [&](const std::string& film, int code, const std::string& message) {
+    const ProgramResult rendered = kReference.run(scene, {"--checkpoint", film, "-o", picture});
+    CHECK(rendered.exitCode == code);
+    CHECK_THAT(rendered.err, Contains(message));
+    CHECK(!std::filesystem::exists(picture));
+    const ProgramResult merged = runCandela({"merge", part, "-o", film});
+    CHECK(merged.exitCode == code);
+    CHECK_THAT(merged.err, Contains(message));
+  };
+  // The name is short enough for a film, but not for the temporary file of its report.
+  refuse(folder.path(std::string(240, 'n') + ".exr"), 2, "File name too long");
+  std::filesystem::create_directory(folder.path("f.exr.json"));
+  refuse(folder.path("f.exr"), 2, "f.exr.json: is a folder");
+  refuse("-", 1, "-: a film is not written to stdout; name a file");
+  refuse("/dev/null", 2, "/dev/null: a film is written to a regular file only");
+  CHECK(folder.fileCount() == 4);  // the scene, a film with its report, and the folder
+  const std::string spaced = folder.path("a b.exr");
+  std::filesystem::copy_file(part, spaced);
+  CHECK_THAT(kReference.refusal(scene, {"--checkpoint", spaced}), Contains("with --resume '" + spaced + "', or"));
+}
+
 TEST_CASE("ranges of --samples and windows of --crop beyond the image are refused") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
