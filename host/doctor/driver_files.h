@@ -9,7 +9,8 @@
 namespace candela::doctor {
 
 struct DriverFiles {
-  std::string variable;  ///< environment variable that replaces the folders; empty: none
+  std::string variable;       ///< environment variable that replaces the folders; empty: none
+  std::string emptyVariable;  ///< such a variable that is set, but empty: loaders may find no driver; empty: none
   std::vector<std::filesystem::path> folders;
   std::vector<DriverManifest> manifests;
 };
