@@ -104,12 +104,27 @@ void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& hea
                               render::windowText(film.header().window)));
 }
 
+image::LayerSet withMoments(image::LayerSet layers) {
+  layers.add(image::Layer::moments);
+  return layers;
+}
+
+// Returns the change that gives a render the layers of a film. --denoise adds the layer `moments`.
+std::string stepsToLayers(image::LayerSet film, image::LayerSet render, bool denoises) {
+  const std::string aov = "--aov " + layerText(film);
+  if (denoises && !film.has(image::Layer::moments)) {
+    return withMoments(film) == render ? "leave out --denoise" : fmt::format("use {}, and leave out --denoise", aov);
+  }
+  return withMoments(render) == film ? fmt::format("use --denoise or {}", aov) : "use " + aov;
+}
+
 // Sums that samples did not add cannot be computed later, whatever the user accepts.
-void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& header) {
-  if (film.header().layers == header.layers) return;
-  const std::string layers = layerText(film.header().layers);
-  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; use --aov {}", film.file().string(),
-                              layers, layerText(header.layers), layers));
+void requireSameLayers(const RenderJob& job, const film::FilmReader& film, const film::FilmHeader& header) {
+  const image::LayerSet has = film.header().layers;
+  if (has == header.layers) return;
+  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; {}", film.file().string(),
+                              layerText(has), layerText(header.layers),
+                              stepsToLayers(has, header.layers, job.arguments.denoise)));
 }
 
 // Sums of different units cannot be added, whatever the user accepts.
@@ -125,6 +140,13 @@ void insertSorted(std::vector<T>& items, const T& item) {
   if (found == items.end() || *found != item) items.insert(found, item);
 }
 
+// Returns the end of the samples of a film that can be continued. A film with a noise threshold states only the maximum
+// of those that were begun.
+std::uint32_t endOf(const film::FilmHeader& film) {
+  if (!film.begun.empty() && !film.noiseThreshold()) return film.begun.front().samples.end;
+  return film.covered.empty() ? 0 : film.covered.front().samples.end;
+}
+
 // Returns the first sample of a film, which must be one that samples can be appended to. `isPart`: the range is that of
 // --samples, rather than all samples.
 std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range,
@@ -133,18 +155,20 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
   if (film.covered.empty() && film.begun.empty()) return std::nullopt;
   const std::optional<std::uint32_t> first = film::firstSampleOf(film);
   if (!first) {
-    throw FileError(
-        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts separately, "
-                    "and merge them",
-                    reader.file().string()));
+    throw FileError(fmt::format("{}: the film was merged {}", reader.file().string(),
+                                film.begun.empty()
+                                    ? "from parts with gaps between them; render the missing parts separately, and "
+                                      "merge them"
+                                    : "with interrupted parts; resume the films of these parts, and merge again"));
   }
-  const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
+  const std::uint32_t next = endOf(film);
   if (range.first == *first && range.end >= next) return first;
   if (!isPart) {
     throw FileError(fmt::format(
-        "{0}: the film already has {1} samples per pixel; use --spp {2} or more, or make a picture of it with `candela "
-        "film {3} -o FILE`",
-        reader.file().string(), next, next + 1, shellQuoted(reader.file().string())));
+        "{0}: the film already has {1}{2} samples per pixel; use --spp {3} or more, or make a picture of it with "
+        "`candela film {4} -o FILE`",
+        reader.file().string(), film.begun.empty() ? "" : "up to ", next, film.begun.empty() ? next + 1 : next,
+        shellQuoted(reader.file().string())));
   }
   throw FileError(
       fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
@@ -198,7 +222,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
                                        const Log& log) {
   film::FilmHeader film = reader.header();
   adoptSampleCount(job, reader, film);
-  requireSameLayers(reader, header);
+  requireSameLayers(job, reader, header);
   requireSameScale(reader, header);
   std::vector<std::string> differences = estimateDifferences(film, header, "the film", "this render");
   for (const film::Tracer& tracer : film.tracers) {
@@ -206,7 +230,10 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
     differences.insert(differences.end(), more.begin(), more.end());
   }
   if (!differences.empty() && !job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: {}; {}", reader.file().string(), differences.front(), remedyFor(film, header)));
+    throw FileError(fmt::format(
+        "{}: {}{}; {}", reader.file().string(), differences.front(),
+        film.sceneHash == header.sceneHash ? "" : ": a file of the scene, --env, --camera or --time differs",
+        remedyFor(reader.header(), header)));
   }
   for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);
   requireSameWindow(reader, header);
