@@ -35,6 +35,12 @@ void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
   }
 }
 
+// Empty if it was removed.
+std::filesystem::path workingFolder() {
+  std::error_code ignored;
+  return std::filesystem::current_path(ignored);
+}
+
 }  // namespace
 
 Diagnosis diagnose(const std::string& selector) {
@@ -47,7 +53,7 @@ Diagnosis diagnose(const std::string& selector) {
   chooseFor(selector, diagnosis);
   if (diagnosis.device) append(diagnosis.checks, checkKnownFaults(*diagnosis.device));
   append(diagnosis.checks, checkCaches(diagnosis.device));
-  append(diagnosis.checks, checkResources(std::filesystem::current_path()));
+  append(diagnosis.checks, checkResources(workingFolder()));
   if (!diagnosis.device) return diagnosis;
   diagnosis.trial = tryRender(std::to_string(diagnosis.device->index));
   diagnosis.checks.push_back(diagnosis.trial->check);

@@ -43,6 +43,10 @@ Check checkMemory() {
 }
 
 Check checkDisk(const fs::path& folder) {
+  if (folder.empty()) {
+    return {"working folder", Status::warning, "it was removed, so that files with relative names cannot be written",
+            "change to another folder"};
+  }
   const std::string name = folder.string();
   if (const std::string problem = whyNotWritable(folder); !problem.empty()) {
     return {"working folder", Status::warning, fmt::format("{} cannot be written: {}", name, problem),
