@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/core/environment.h"
 #include "host/doctor/devices.h"
 #include "host/doctor/driver_files.h"
 
@@ -89,9 +90,16 @@ Check noLoader() {
   return {"devices", Status::problem, "none can be found without the Vulkan loader", "apt-get install libvulkan1"};
 }
 
+std::string hidingText(const std::string& variable) {
+  if (variable.empty()) return "";
+  const std::string value = environmentVariable(variable.c_str());
+  return value.empty() ? fmt::format("; {} is set, but names no driver", variable)
+                       : fmt::format("; {}={} may hide drivers", variable, value);
+}
+
 // Examines the devices that the loader finds with all drivers, as a render does.
 Check summary(const ListedDevices& all, const DriverFiles& files, const std::string& working) {
-  const std::string& variable = files.emptyVariable.empty() ? files.variable : files.emptyVariable;
+  const std::string& variable = files.hidingVariable.empty() ? files.variable : files.hidingVariable;
   if (!all.failure.empty()) {
     return {"devices", Status::problem, fmt::format("listing the devices of all drivers {}", all.failure),
             working.empty() ? installOrUnset(variable) : "export VK_ICD_FILENAMES=" + working};
@@ -100,7 +108,7 @@ Check summary(const ListedDevices& all, const DriverFiles& files, const std::str
     return {"devices", Status::ok, fmt::format("{} found", all.devices.size()), ""};
   }
   std::string text = all.devices.empty() ? "none found" : "none of them is usable";
-  if (!files.emptyVariable.empty()) text += fmt::format("; {} is set, but names no driver", files.emptyVariable);
+  text += hidingText(files.hidingVariable);
   return {"devices", Status::problem, text, installOrUnset(variable)};
 }
 

@@ -77,6 +77,13 @@ TEST_CASE("a variable that is set, but empty, is named if no device is found") {
   CHECK_THAT(diagnosis.checks.back().remedy, Contains("unset VK_DRIVER_FILES"));
 }
 
+TEST_CASE("a filter of drivers is named if no device is found") {
+  const EnvironmentGuard filter("VK_LOADER_DRIVERS_DISABLE", "*");
+  const DriverDiagnosis diagnosis = diagnosisWith("libm.so.6");
+  CHECK(diagnosis.checks.back().text == "none found; VK_LOADER_DRIVERS_DISABLE=* may hide drivers");
+  CHECK_THAT(diagnosis.checks.back().remedy, Contains("unset VK_LOADER_DRIVERS_DISABLE"));
+}
+
 TEST_CASE("without the loader, nothing is said about devices of drivers, and the loader is the remedy") {
   const DriverDiagnosis diagnosis = diagnosisWith("libm.so.6", false);
   REQUIRE(diagnosis.checks.size() == 2);
