@@ -163,7 +163,7 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
   }
   const std::uint32_t next = endOf(film);
   if (range.first == *first && range.end >= next) return first;
-  if (!isPart) {
+  if (!isPart && *first == 0) {
     throw FileError(fmt::format(
         "{0}: the film already has {1}{2} samples per pixel; use --spp {3} or more, or make a picture of it with "
         "`candela film {4} -o FILE`",

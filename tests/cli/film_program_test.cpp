@@ -95,6 +95,11 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(refusal(scene, {"--spp", "3"}),
              Contains("the film already has 4 samples per pixel; use --spp 5 or more") && Contains("candela film "));
   CHECK_THAT(refusal(folder.path("none.p3f"), {}), Contains("none.p3f"));
+  const std::string later = folder.path("later.exr");
+  kReference.film(scene, later, {"--samples", "4:8"});
+  CHECK_THAT(
+      kReference.refusal(scene, {"--resume", later}),
+      Contains("starts at sample 4 and ends before sample 8, and the render has samples 0:12; use --samples 4:N"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", folder.path("none.exr")}), Contains("none.exr: No such file"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
 }
