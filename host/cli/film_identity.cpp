@@ -147,6 +147,16 @@ std::uint32_t endOf(const film::FilmHeader& film) {
   return film.covered.empty() ? 0 : film.covered.front().samples.end;
 }
 
+// `count` is the number of samples that each pixel of the film has, or `isMaximum` the maximum of pixels that differ.
+[[noreturn]] void refuseFewer(const film::FilmReader& film, std::uint32_t count, bool isMaximum) {
+  throw FileError(
+      fmt::format("{0}: the film already has {1}{2} samples per pixel; use --spp {3} or more, or make a picture of it "
+                  "with `candela "
+                  "film {4} -o FILE`",
+                  film.file().string(), isMaximum ? "up to " : "", count, isMaximum ? count : count + 1,
+                  shellQuoted(film.file().string())));
+}
+
 // Returns the first sample of a film, which must be one that samples can be appended to. `isPart`: the range is that of
 // --samples, rather than all samples.
 std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, const render::SampleRange& range,
@@ -164,11 +174,7 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
   const std::uint32_t next = endOf(film);
   if (range.first == *first && range.end >= next) return first;
   if (!isPart && *first == 0) {
-    throw FileError(fmt::format(
-        "{0}: the film already has {1}{2} samples per pixel; use --spp {3} or more, or make a picture of it with "
-        "`candela film {4} -o FILE`",
-        reader.file().string(), film.begun.empty() ? "" : "up to ", next, film.begun.empty() ? next + 1 : next,
-        shellQuoted(reader.file().string())));
+    refuseFewer(reader, next, !film.begun.empty());
   }
   throw FileError(
       fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
@@ -243,6 +249,12 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
   for (const std::string& line : film.mixed) insertSorted(header.mixed, line);
   for (const film::Tracer& tracer : film.tracers) insertSorted(header.tracers, tracer);
   return requireContinuable(reader, samplesOf(job), job.arguments.samples.has_value());
+}
+
+void requireNoMoreSamples(const RenderJob& job, const film::FilmReader& reader, const image::Film& film) {
+  if (!reader.header().noiseThreshold()) return;
+  const std::uint32_t most = std::ranges::max(film.pixels(), {}, &image::FilmPixel::sampleCount).sampleCount;
+  if (most > samplesOf(job).end) refuseFewer(reader, most, true);
 }
 
 }  // namespace candela::cli

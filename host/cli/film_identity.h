@@ -29,4 +29,8 @@ render::SampleRange samplesOf(const RenderJob& job);
 std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmReader& film, film::FilmHeader& header,
                                        const Log& log);
 
+/// Throws FileError if a pixel of the film that a job resumes has more samples than the job renders. The header of a
+/// film with a noise threshold does not state how many its pixels have; of all other films, adoptFilm() knows.
+void requireNoMoreSamples(const RenderJob& job, const film::FilmReader& reader, const image::Film& film);
+
 }  // namespace candela::cli

@@ -122,7 +122,11 @@ void FilmTrace::startOrResume() {
   inheritance_ = {range_.first, {}};
   if (reader_) {
     inheritance_.work = film::readWork(reader_->file(), reader_->check());
-    if (adoptFilm(job_, *reader_, header_, log_)) load(film::readFilm(*reader_));
+    if (adoptFilm(job_, *reader_, header_, log_)) {
+      const image::Film film = film::readFilm(*reader_);
+      requireNoMoreSamples(job_, *reader_, film);
+      load(film);
+    }
   }
   if (hasFile()) checkpoints_.emplace(checkpointsAt(job_.arguments.checkpoint));
 }
