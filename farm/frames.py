@@ -1,4 +1,6 @@
 """Frames of a distributed render: the arguments of one `candela` command each, divided into rendering and pictures."""
+import re
+import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -14,6 +16,17 @@ REFUSED_OPTIONS = {
 
 class PlanError(Exception):
     """A wrong request: a message for the user."""
+
+
+def words_of(line):
+    """Returns the words of a line of a list of frames. Quotes, backslashes and comments are those of a shell, where # begins
+    a comment only at the beginning of a word. Raises ValueError if a quote is not closed."""
+    previous = " "
+    for part in re.finditer(r"""'[^']*'|"(?:\\.|[^"\\])*"|\\.|.""", line):
+        if part.group() == "#" and previous.isspace():
+            return shlex.split(line[:part.start()])
+        previous = part.group()
+    return shlex.split(line)
 
 
 def split_word(word):

@@ -24,7 +24,7 @@ def run(*command):
 def submit(text, job: Path, *options):
     """Submits a script whose output goes to the logs of the job. Returns the number of the Slurm job."""
     path = job / f"submit-{os.getpid()}.sh"
-    path.write_text(text)
+    path.write_bytes(os.fsencode(text))
     try:
         return run("sbatch", "--parsable", f"--output={job}/logs/%x-%A_%a.log", "--open-mode=append", *options,
                    str(path)).split(";")[0]

@@ -68,6 +68,7 @@ void requireCompleteOptions(const Arguments& arguments) {
 
 void requireFormats(const Arguments& arguments) {
   for (const auto& film : {arguments.mergedFilm, arguments.checkpoint}) {
+    if (film == "-") throw UsageError("-: a film is not written to stdout; name a file");
     refuseOtherFormat(film, {".exr"}, "a film is an OpenEXR file");
   }
   refuseOtherFormat(arguments.report, {".html", ".htm"}, "the report is an HTML page");

@@ -65,7 +65,8 @@ ExitCode runBench(const Arguments& arguments, const Log& log) {
   const auto found = std::find_if(kBenchmarks.begin(), kBenchmarks.end(),
                                   [&](const Benchmark& b) { return b.name == word; });
   const bool ofScenes = found == kBenchmarks.end();
-  if (ofScenes && !std::filesystem::path(word).has_extension() && !std::filesystem::exists(word)) refuse(word);
+  std::error_code ignored;
+  if (ofScenes && !std::filesystem::path(word).has_extension() && !std::filesystem::exists(word, ignored)) refuse(word);
   if (ofScenes) return runBenchScenes(arguments, log);
   requireFiles(*found, arguments.files.size() - 1);
   refuseOptionsOfScenes(*found, arguments);

@@ -14,19 +14,23 @@
 namespace candela::cli {
 namespace {
 
-// A finished render is not lost with its device: the host denoises it instead.
+// A finished render is not lost with its device: the host denoises it instead. `candela denoise` has a file that is not
+// lost, and needs a device that can be opened.
 std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
-                                      const Log& log) {
+                                      bool isOfRender, const Log& log) {
   const auto filterOnHost = [&](const Error& error) {
     log.warning(fmt::format("{}; the image is denoised on the host instead", error.what()));
     return filterByReference(statistics);
   };
-  CachedDevice cached(arguments, log);
   try {
+    CachedDevice cached(arguments, log);
     return denoise::filterOnDevice(cached.device(), statistics);
   } catch (const DeviceLostError& error) {
     return filterOnHost(error);
   } catch (const OutOfMemoryError& error) {
+    return filterOnHost(error);
+  } catch (const NoDeviceError& error) {
+    if (!isOfRender) throw;
     return filterOnHost(error);
   }
 }
@@ -49,6 +53,17 @@ void reportLimited(const denoise::LimitedLight& limited, image::Image& image, co
   log.note(text + "; add samples to keep it");
 }
 
+void denoisePicture(image::Image& image, const image::Film& film, const Arguments& arguments, bool isOfRender,
+                    const Log& log) {
+  if (arguments.denoisesByOidn && denoiseByOidn(image, film, log)) return;
+  const denoise::LimitedLight limited = denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
+    return arguments.usesReference() ? filterByReference(statistics)
+                                     : filterOnDevice(statistics, arguments, isOfRender, log);
+  });
+  addBias(image.metadata, "denoised: neighbours are averaged");
+  if (limited.pixelCount > 0) reportLimited(limited, image, log);
+}
+
 }  // namespace
 
 void requireDenoisable(const Arguments& arguments) {
@@ -68,18 +83,13 @@ Arguments withDenoiseLayers(Arguments arguments) {
 }
 
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
-  if (arguments.denoisesByOidn && denoiseByOidn(image, film, log)) return;
-  const denoise::LimitedLight limited = denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
-    return arguments.usesReference() ? filterByReference(statistics) : filterOnDevice(statistics, arguments, log);
-  });
-  addBias(image.metadata, "denoised: neighbours are averaged");
-  if (limited.pixelCount > 0) reportLimited(limited, image, log);
+  denoisePicture(image, film, arguments, false, log);
 }
 
 void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const Arguments& arguments,
                    const Log& log) {
   try {
-    denoiseImage(image, film, arguments, log);
+    denoisePicture(image, film, arguments, true, log);
   } catch (const UsageError& error) {
     if (!isInterrupted) throw;
     log.warning(fmt::format("--denoise: {}", error.what()));

@@ -20,8 +20,8 @@ Arguments withDenoiseLayers(Arguments arguments);
 /// film lacks statistics, and NoDeviceError.
 void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log);
 
-/// Denoises the image of a render as denoiseImage() does. The image of a render that was interrupted before any pixel
-/// had two samples stays as it is, with a warning.
+/// Denoises the image of a render as denoiseImage() does, but by the reference also if no device can be opened. The
+/// image of a render that was interrupted before any pixel had two samples stays as it is, with a warning.
 void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const Arguments& arguments,
                    const Log& log);
 

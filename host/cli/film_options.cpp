@@ -16,6 +16,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr const char* kAntialiasing = "antialiasing";  // a setting of films that --spp 0 gives
+constexpr const char* kAccel = "accel";  // describes the acceleration structure, and begins with the value of --accel
 
 const Option* settingNamed(const std::string& name) { return findOption(Command::render, "--" + name); }
 
@@ -35,6 +36,12 @@ struct Changes {
     }
   }
 };
+
+// Films without a description of the structure do not depend on it.
+void adoptStructure(const std::string& film, const std::string& render, Changes& changes) {
+  const std::string kind = film.substr(0, film.find(' '));
+  if (!film.empty() && kind != render.substr(0, render.find(' '))) changes.added.push_back("--accel " + kind);
+}
 
 }  // namespace
 
@@ -73,7 +80,14 @@ std::string stepsToResume(const film::FilmHeader& film, const film::FilmHeader& 
   names.insert(render.settings.begin(), render.settings.end());
   for (const auto& [name, ignored] : names) {
     const std::string value = film.setting(name);
-    if (value != render.setting(name)) changes.adopt(name, value);
+    if (value == render.setting(name)) continue;
+    if (name == kAccel) {
+      adoptStructure(value, render.setting(name), changes);
+    } else if (name == kAntialiasing && value.empty()) {
+      changes.added.push_back(fmt::format("--spp {}", film.samplesPerPixel));
+    } else {
+      changes.adopt(name, value);
+    }
   }
   std::vector<std::string> steps;
   if (!changes.added.empty()) steps.push_back(fmt::format("use {}", fmt::join(changes.added, " ")));

@@ -37,7 +37,7 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
                                        const Log& log) {
   film::FilmHeader film = reader.header();
   adoptSampleCount(job, reader, film);
-  requireSameLayers(reader, header);
+  requireSameLayers(job, reader, header);
   requireSameScale(reader, header);
   std::vector<std::string> differences = estimateDifferences(film, header, "the film", "this render");
   for (const film::Tracer& tracer : film.tracers) {
@@ -45,7 +45,10 @@ std::optional<std::uint32_t> adoptFilm(const RenderJob& job, const film::FilmRea
     differences.insert(differences.end(), more.begin(), more.end());
   }
   if (!differences.empty() && !job.arguments.resumeAnyway) {
-    throw FileError(fmt::format("{}: {}; {}", reader.file().string(), differences.front(), remedyFor(film, header)));
+    throw FileError(fmt::format(
+        "{}: {}{}; {}", reader.file().string(), differences.front(),
+        film.sceneHash == header.sceneHash ? "" : ": a file of the scene, --env, --camera or --time differs",
+        remedyFor(reader.header(), header)));
   }
   for (const std::string& difference : differences) log.warning("--resume-anyway: " + difference);
   requireSameWindow(reader, header);

@@ -15,11 +15,11 @@
 namespace candela::cli {
 
 ExitCode runMerge(const Arguments& arguments, const Log& log) {
-  requireWritableFile(arguments.mergedFilm);
+  requireWritableFilm(arguments.mergedFilm);
   requireWritableReport(arguments.json);
+  const film::FilmLock lock(arguments.mergedFilm);
   const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
   const film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
-  const film::FilmLock lock(arguments.mergedFilm);
   const std::string check = film::writeFilm(arguments.mergedFilm, merged.header, merged.film);
   film::writeWork(arguments.mergedFilm, check, merged.work);
   const FilmDescription description = describe(merged.header, merged.film, merged.work);

@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 
+#include "host/cli/option_table.h"
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/film/work_report.h"
 #include "host/image/image.h"
 
 namespace candela::cli {
@@ -29,7 +32,7 @@ void requireAbsent(const std::filesystem::path& film) {
   if (!std::filesystem::exists(film, ignored)) return;
   throw FileError(
       fmt::format("{}: the file exists, and its samples would be lost; continue it with --resume {}, or remove it",
-                  film.string(), film.string()));
+                  film.string(), shellQuoted(film.string())));
 }
 
 }  // namespace
@@ -44,10 +47,17 @@ void requireWritableFile(const std::filesystem::path& file) {
   // Devices and pipes are written in place; all other files are renamed into their folder.
   const bool inPlace = std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored);
   if (access(inPlace ? file.c_str() : folder.c_str(), W_OK) != 0) {
-    throw FileError(fmt::format("{}: no permission to write there", file.string()));
+    const char* const cause = errno == EROFS ? "the file system is read-only" : "no permission to write there";
+    throw FileError(fmt::format("{}: {}", file.string(), cause));
   }
   // Permissions say nothing about file systems that accept no new file, such as /proc.
   if (!inPlace) const AtomicFile trial(file);
+}
+
+void requireWritableFilm(const std::filesystem::path& film) {
+  requireWritableFile(film);
+  requireRegular(film);
+  requireWritableFile(film::workFile(film));
 }
 
 void requireWritableImage(const std::filesystem::path& file) {
@@ -60,8 +70,7 @@ std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const L
   const bool continuesFile = areSame(file, arguments.resume);
   if (!arguments.resume.empty() && !continuesFile) film::requireUnlocked(arguments.resume);
   if (file.empty()) return std::nullopt;
-  requireWritableFile(file);
-  requireRegular(file);
+  requireWritableFilm(file);
   film::FilmLock lock(file);  // before the next check, since another render may be about to create the film
   if (!lock.isHeld()) log.detail(fmt::format("{}: cannot be locked against other renders", file.string()));
   if (!continuesFile) requireAbsent(file);

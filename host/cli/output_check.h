@@ -13,6 +13,9 @@ namespace candela::cli {
 /// Throws FileError unless the folder exists and a temporary file beside `file` can be created in it. The temporary
 /// file is removed. Devices and pipes are not opened.
 void requireWritableFile(const std::filesystem::path& file);
+/// Throws FileError as requireWritableFile() does for a film file and for the report beside it, and if the film file is
+/// a device or a pipe.
+void requireWritableFilm(const std::filesystem::path& film);
 /// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
 /// Returns the lock on the film file of --checkpoint, which must be held until the film is written; nothing without

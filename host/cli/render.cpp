@@ -18,6 +18,7 @@
 #include "host/cli/statistics_report.h"
 #include "host/cli/trace_film.h"
 #include "host/core/counted.h"
+#include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
 #include "host/render/adaptive_summary.h"
@@ -56,6 +57,15 @@ image::Image imageOf(const RenderJob& job, const render::RenderResult& result, c
   return image;
 }
 
+// Returns whether all pictures were written. The render has its report even if one was not.
+bool writePictures(const RenderJob& job, const render::RenderResult& result, const Log& log) try {
+  if (!job.arguments.outputs.empty()) writeImages(imageOf(job, result, log), job.arguments, log);
+  return true;
+} catch (const FileError& error) {
+  log.problem(error.what());
+  return false;
+}
+
 // The name of the image in a display server.
 std::string shownName(const RenderJob& job) {
   return job.arguments.outputs.empty() ? job.scene.name : job.arguments.outputs.front().filename().string();
@@ -87,9 +97,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   const render::RenderResult& result = traced.result;
 
   const double writeStart = monotonicSeconds();
-  if (!arguments.outputs.empty()) {
-    writeImages(imageOf(job, result, log), job.arguments, log);
-  }
+  const bool hasPictures = writePictures(job, result, log);
   const double end = monotonicSeconds();
   RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};
   report.badSamples.add(result.film, job.settings().image);
@@ -104,7 +112,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
     log.problem(traced.failure->message);
     return traced.failure->code;
   }
-  if (traced.isFilmLost) return ExitCode::file;
+  if (traced.isFilmLost || !hasPictures) return ExitCode::file;
   const ExitCode code = result.interrupted ? ExitCode::interrupted : ExitCode::done;
   return strictly(code, result.statistics.badSamples, arguments, log);
 }

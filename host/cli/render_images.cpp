@@ -2,6 +2,7 @@
 #include "host/cli/render_images.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,6 +10,7 @@
 #include "host/cli/bias_text.h"
 #include "host/cli/display_choice.h"
 #include "host/cli/option_table.h"
+#include "host/core/errors.h"
 #include "host/core/hash_text.h"
 #include "host/core/version.h"
 #include "host/image/cryptomatte.h"
@@ -92,7 +94,15 @@ void writeImages(image::Image image, const Arguments& arguments, const Log& log)
     image.metadata["candela.falseColour"] = falseColourText(display);
     if (std::ranges::any_of(arguments.outputs, image::isEightBit)) log.note(falseColourKey(display));
   }
-  for (const auto& file : arguments.outputs) writeImage(file, image, display);
+  std::vector<std::string> failures;
+  for (const auto& file : arguments.outputs) {
+    try {
+      writeImage(file, image, display);
+    } catch (const FileError& error) {
+      failures.emplace_back(error.what());
+    }
+  }
+  if (!failures.empty()) throw FileError(fmt::format("{}", fmt::join(failures, "\n")));
 }
 
 }  // namespace candela::cli

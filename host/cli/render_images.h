@@ -26,7 +26,8 @@ image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata
 /// Returns `arguments` with the integrator of a film, which decides how depths and costs are shown.
 Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header);
 
-/// Writes the image to all outputs of `arguments`, with its display transform. Throws as image::writeImage() does.
+/// Writes the image to all outputs of `arguments`, with its display transform. Throws FileError, after all other files
+/// have been written, with a line for each one that could not be; otherwise as image::writeImage() does.
 void writeImages(image::Image image, const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "host/cli/film_identity.h"
 #include "host/cli/film_options.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
@@ -20,6 +23,36 @@ const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
     return "rays of one sample per pixel are not jittered, and those of several are";
   }
   return nullptr;
+}
+
+image::LayerSet withMoments(image::LayerSet layers) {
+  layers.add(image::Layer::moments);
+  return layers;
+}
+
+// Returns the change that gives a render the layers of a film. --denoise adds the layer `moments`.
+std::string stepsToLayers(image::LayerSet film, image::LayerSet render, bool denoises) {
+  const std::string aov = "--aov " + layerText(film);
+  if (denoises && !film.has(image::Layer::moments)) {
+    return withMoments(film) == render ? "leave out --denoise" : fmt::format("use {}, and leave out --denoise", aov);
+  }
+  return withMoments(render) == film ? fmt::format("use --denoise or {}", aov) : "use " + aov;
+}
+
+// Returns the end of the samples of a film that can be continued. A film with a noise threshold states only the maximum
+// of those that were begun.
+std::uint32_t endOf(const film::FilmHeader& film) {
+  if (!film.begun.empty() && !film.noiseThreshold()) return film.begun.front().samples.end;
+  return film.covered.empty() ? 0 : film.covered.front().samples.end;
+}
+
+// `count` is the number of samples that each pixel of the film has, or `isMaximum` the maximum of pixels that differ.
+[[noreturn]] void refuseFewer(const film::FilmReader& film, std::uint32_t count, bool isMaximum) {
+  throw FileError(
+      fmt::format("{0}: the film already has {1}{2} samples per pixel; use --spp {3} or more, or make a picture of it "
+                  "with `candela film {4} -o FILE`",
+                  film.file().string(), isMaximum ? "up to " : "", count, isMaximum ? count : count + 1,
+                  shellQuoted(film.file().string())));
 }
 
 }  // namespace
@@ -54,11 +87,12 @@ void requireSameWindow(const film::FilmReader& film, const film::FilmHeader& hea
                               render::windowText(film.header().window)));
 }
 
-void requireSameLayers(const film::FilmReader& film, const film::FilmHeader& header) {
-  if (film.header().layers == header.layers) return;
-  const std::string layers = layerText(film.header().layers);
-  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; use --aov {}", film.file().string(),
-                              layers, layerText(header.layers), layers));
+void requireSameLayers(const RenderJob& job, const film::FilmReader& film, const film::FilmHeader& header) {
+  const image::LayerSet has = film.header().layers;
+  if (has == header.layers) return;
+  throw FileError(fmt::format("{}: the film has the layers {}, and the render {}; {}", film.file().string(),
+                              layerText(has), layerText(header.layers),
+                              stepsToLayers(has, header.layers, job.arguments.denoise)));
 }
 
 void requireSameScale(const film::FilmReader& film, const film::FilmHeader& header) {
@@ -73,23 +107,25 @@ std::optional<std::uint32_t> requireContinuable(const film::FilmReader& reader, 
   if (film.covered.empty() && film.begun.empty()) return std::nullopt;
   const std::optional<std::uint32_t> first = film::firstSampleOf(film);
   if (!first) {
-    throw FileError(
-        fmt::format("{}: the film was merged from parts with gaps between them; render the missing parts separately, "
-                    "and merge them",
-                    reader.file().string()));
+    throw FileError(fmt::format("{}: the film was merged {}", reader.file().string(),
+                                film.begun.empty()
+                                    ? "from parts with gaps between them; render the missing parts separately, and "
+                                      "merge them"
+                                    : "with interrupted parts; resume the films of these parts, and merge again"));
   }
-  const std::uint32_t next = film.covered.empty() ? *first : film.covered.front().samples.end;
+  const std::uint32_t next = endOf(film);
   if (range.first == *first && range.end >= next) return first;
-  if (!isPart) {
-    throw FileError(fmt::format(
-        "{0}: the film already has {1} samples per pixel; use --spp {2} or more, or make a picture of it with `candela "
-        "film {3} -o FILE`",
-        reader.file().string(), next, next + 1, shellQuoted(reader.file().string())));
-  }
+  if (!isPart && *first == 0) refuseFewer(reader, next, !film.begun.empty());
   throw FileError(
       fmt::format("{}: the film starts at sample {} and ends before sample {}, and the render has samples {}:{}; use "
                   "--samples {}:N",
                   reader.file().string(), *first, next, range.first, range.end, *first));
+}
+
+void requireNoMoreSamples(const RenderJob& job, const film::FilmReader& reader, const image::Film& film) {
+  if (!reader.header().noiseThreshold()) return;
+  const std::uint32_t maxCount = std::ranges::max(film.pixels(), {}, &image::FilmPixel::sampleCount).sampleCount;
+  if (maxCount > samplesOf(job).end) refuseFewer(reader, maxCount, true);
 }
 
 }  // namespace candela::cli

@@ -14,6 +14,7 @@
 #include "host/cli/film_resumption.h"
 #include "host/cli/film_trace.h"
 #include "host/cli/option_table.h"
+#include "host/cli/resume_checks.h"
 #include "host/core/interrupt.h"
 
 namespace candela::cli {
@@ -67,7 +68,11 @@ void FilmTrace::startOrResume() {
   inheritance_ = {range_.first, {}};
   if (reader_) {
     inheritance_.work = film::readWork(reader_->file(), reader_->check());
-    if (adoptFilm(job_, *reader_, header_, log_)) load(film::readFilm(*reader_));
+    if (adoptFilm(job_, *reader_, header_, log_)) {
+      const image::Film film = film::readFilm(*reader_);
+      requireNoMoreSamples(job_, *reader_, film);
+      load(film);
+    }
   }
   if (hasFile()) checkpoints_.emplace(checkpointsAt(job_.arguments.checkpoint));
 }

@@ -62,6 +62,14 @@ fs::path temporaryName(const fs::path& target) {
   return name;
 }
 
+/// Returns the name that a file without a name gets before it replaces the target. It is always the same, so that the
+/// file of a killed program is replaced.
+fs::path intermediateName(const fs::path& target) {
+  fs::path name = target;
+  name += ".candela-part";
+  return name;
+}
+
 /// Returns the path under which the kernel shows an open file of this process.
 std::string shownPath(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
 
@@ -116,6 +124,7 @@ AtomicFile::AtomicFile(const fs::path& file)
       descriptor_(inPlace_ ? openInPlace(target_) : openNameless(target_.parent_path())) {
   if (!inPlace_ && !descriptor_.isOpen()) openNamed();
   if (!descriptor_.isOpen()) failWithErrno(name_);
+  if (!inPlace_ && temporary_.empty()) requirePossibleName();
   if (!inPlace_) copyPermissions(target_, descriptor_.get());
 }
 
@@ -125,10 +134,13 @@ void AtomicFile::openNamed() {
   if (descriptor_.isOpen()) temporary_ = name;
 }
 
-// The name is always the same, so that the file of a killed program is replaced.
+void AtomicFile::requirePossibleName() const {
+  struct stat ignored {};
+  if (::lstat(intermediateName(target_).c_str(), &ignored) != 0 && errno == ENAMETOOLONG) failWithErrno(name_);
+}
+
 void AtomicFile::giveName(int descriptor) {
-  fs::path name = target_;
-  name += ".candela-part";
+  const fs::path name = intermediateName(target_);
   const std::string shown = shownPath(descriptor);
   while (::linkat(AT_FDCWD, shown.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
     if (errno != EEXIST) failWithErrno(name_);

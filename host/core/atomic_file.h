@@ -30,6 +30,7 @@ class AtomicFile {
 
  private:
   void openNamed();
+  void requirePossibleName() const;
   void giveName(int descriptor);
   void replaceTarget(int descriptor);
 

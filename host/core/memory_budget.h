@@ -8,9 +8,10 @@ namespace candela {
 /// Returns the size of the machine's memory in bytes.
 std::uint64_t physicalMemory();
 
-/// Returns the memory that the program may use in bytes: what limitMemory() set, else physicalMemory().
+/// Returns the memory that the program may use in bytes: what limitMemory() set, else the limit of its control groups
+/// at the first call, and at most physicalMemory().
 std::uint64_t memoryBudget();
-/// Sets the budget of the process (--memory); 0: that of the machine. Call it before other threads are started.
+/// Sets the budget of the process (--memory); 0: the default. Call it before other threads are started.
 void limitMemory(std::uint64_t bytes);
 
 /// Throws OutOfMemoryError unless `bytes` are within the budget: allocating them could succeed, but would make the

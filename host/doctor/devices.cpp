@@ -8,6 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "host/doctor/driver_files.h"
 #include "host/process/child_process.h"
 
 namespace candela::doctor {
@@ -67,6 +68,7 @@ ListedDevices listDevicesOf(const std::string& manifest, const std::string& libr
     openDriver(library);
     for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) ::setenv(name, manifest.c_str(), 1);
     ::unsetenv("VK_ADD_DRIVER_FILES");
+    for (const char* name : kFilterVariables) ::unsetenv(name);
   });
 }
 

@@ -29,10 +29,16 @@ void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
     diagnosis.device = vulkan::chooseDevice(diagnosis.devices, selector);
   } catch (const NoDeviceError& error) {
     if (diagnosis.devices.empty()) return;  // a problem of the drivers, which is in the list already
-    const std::string message = error.what();
-    diagnosis.checks.push_back({"chosen device", Status::problem, message.substr(0, message.find('\n')),
+    const std::string line = std::string(error.what()).substr(0, std::string_view(error.what()).find('\n'));
+    diagnosis.checks.push_back({"chosen device", Status::problem, line.substr(0, line.rfind("; available devices")),
                                 "choose one of the devices above with --device"});
   }
+}
+
+// Empty if it was removed.
+std::filesystem::path workingFolder() {
+  std::error_code ignored;
+  return std::filesystem::current_path(ignored);
 }
 
 }  // namespace
@@ -40,14 +46,14 @@ void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
 Diagnosis diagnose(const std::string& selector) {
   Diagnosis diagnosis;
   diagnosis.checks = checkLoader();
-  DriverDiagnosis drivers = checkDrivers();
+  DriverDiagnosis drivers = checkDrivers(diagnosis.checks.front().status == Status::ok);
   append(diagnosis.checks, std::move(drivers.checks));
   diagnosis.devices = std::move(drivers.devices);
   append(diagnosis.checks, checkGpuNodes("/dev", hasHardware(diagnosis.devices)));
   chooseFor(selector, diagnosis);
   if (diagnosis.device) append(diagnosis.checks, checkKnownFaults(*diagnosis.device));
   append(diagnosis.checks, checkCaches(diagnosis.device));
-  append(diagnosis.checks, checkResources(std::filesystem::current_path()));
+  append(diagnosis.checks, checkResources(workingFolder()));
   if (!diagnosis.device) return diagnosis;
   diagnosis.trial = tryRender(std::to_string(diagnosis.device->index));
   diagnosis.checks.push_back(diagnosis.trial->check);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/core/environment.h"
 #include "host/doctor/devices.h"
 #include "host/doctor/driver_files.h"
 
@@ -23,8 +24,8 @@ struct DriverResult {
   bool works() const { return std::ranges::any_of(listed.devices, &vulkan::DeviceInfo::usable); }
 };
 
-DriverResult examine(const DriverManifest& manifest) {
-  if (!manifest.problem.empty()) return {manifest, {}};
+DriverResult examine(const DriverManifest& manifest, bool hasLoader) {
+  if (!manifest.problem.empty() || !hasLoader) return {manifest, {}};
   return {manifest, listDevicesOf(manifest.file.string(), manifest.library)};
 }
 
@@ -51,10 +52,13 @@ std::string remedyFor(const DriverResult& result, const std::string& variable, c
   return fmt::format("{}; to leave this driver out: export VK_ICD_FILENAMES={}", reinstall, others);
 }
 
-Check checkOf(const DriverResult& result, const DriverFiles& files, const std::string& others, bool anyUsable) {
+Check checkOf(const DriverResult& result, const DriverFiles& files, const std::string& others, bool anyUsable,
+              bool hasLoader) {
   Check check{fmt::format("driver {}", result.manifest.file.filename().string()), Status::ok, "", ""};
   if (result.isOfOtherWordSize()) {
     check.text = "for programs of another word size; not used";
+  } else if (!result.broken() && !hasLoader) {
+    check.text = "registered; it cannot be examined without the Vulkan loader";
   } else if (!result.broken()) {
     check.text = result.listed.devices.empty() ? "works, but none of its devices is in this machine"
                                                : namesOf(result.listed.devices);
@@ -82,8 +86,20 @@ std::string installOrUnset(const std::string& variable) {
   return variable.empty() ? kInstall : fmt::format("unset {}; if that does not help: {}", variable, kInstall);
 }
 
+Check noLoader() {
+  return {"devices", Status::problem, "none can be found without the Vulkan loader", "apt-get install libvulkan1"};
+}
+
+std::string hidingText(const std::string& variable) {
+  if (variable.empty()) return "";
+  const std::string value = environmentVariable(variable.c_str());
+  return value.empty() ? fmt::format("; {} is set, but names no driver", variable)
+                       : fmt::format("; {}={} may hide drivers", variable, value);
+}
+
 // Examines the devices that the loader finds with all drivers, as a render does.
-Check summary(const ListedDevices& all, const std::string& variable, const std::string& working) {
+Check summary(const ListedDevices& all, const DriverFiles& files, const std::string& working) {
+  const std::string& variable = files.hidingVariable.empty() ? files.variable : files.hidingVariable;
   if (!all.failure.empty()) {
     return {"devices", Status::problem, fmt::format("listing the devices of all drivers {}", all.failure),
             working.empty() ? installOrUnset(variable) : "export VK_ICD_FILENAMES=" + working};
@@ -91,24 +107,25 @@ Check summary(const ListedDevices& all, const std::string& variable, const std::
   if (std::ranges::any_of(all.devices, &vulkan::DeviceInfo::usable)) {
     return {"devices", Status::ok, fmt::format("{} found", all.devices.size()), ""};
   }
-  return {"devices", Status::problem, all.devices.empty() ? "none found" : "none of them is usable",
-          installOrUnset(variable)};
+  std::string text = all.devices.empty() ? "none found" : "none of them is usable";
+  text += hidingText(files.hidingVariable);
+  return {"devices", Status::problem, text, installOrUnset(variable)};
 }
 
 }  // namespace
 
-DriverDiagnosis checkDrivers() {
+DriverDiagnosis checkDrivers(bool hasLoader) {
   const DriverFiles files = findDriverFiles();
   std::vector<DriverResult> results;
-  for (const DriverManifest& manifest : files.manifests) results.push_back(examine(manifest));
+  for (const DriverManifest& manifest : files.manifests) results.push_back(examine(manifest, hasLoader));
   const std::string working = workingDrivers(results);
   const ListedDevices all = listAllDevices();
   DriverDiagnosis diagnosis{{}, all.devices, std::ranges::any_of(all.devices, &vulkan::DeviceInfo::usable)};
   for (const DriverResult& result : results) {
-    diagnosis.checks.push_back(checkOf(result, files, working, diagnosis.anyUsable));
+    diagnosis.checks.push_back(checkOf(result, files, working, diagnosis.anyUsable, hasLoader));
   }
   if (results.empty()) diagnosis.checks.push_back(noDriver(files));
-  diagnosis.checks.push_back(summary(all, files.variable, working));
+  diagnosis.checks.push_back(hasLoader ? summary(all, files, working) : noLoader());
   for (Check& check : checkDevices(all.devices)) diagnosis.checks.push_back(std::move(check));
   return diagnosis;
 }

@@ -15,7 +15,7 @@ struct DriverDiagnosis {
 };
 
 /// A driver that fails is a problem if there is no usable device, else a warning. A driver whose devices are not in
-/// this machine is `ok`.
-DriverDiagnosis checkDrivers();
+/// this machine is `ok`. `hasLoader`: the Vulkan loader is installed, without which no driver can be examined.
+DriverDiagnosis checkDrivers(bool hasLoader);
 
 }  // namespace candela::doctor

@@ -2,6 +2,7 @@
 #include "host/doctor/driver_files.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
 #include <system_error>
 
@@ -73,7 +74,12 @@ void addList(const std::string& list, std::vector<DriverManifest>& manifests) {
 
 DriverFiles findDriverFiles() {
   DriverFiles found;
+  for (const char* name : kFilterVariables) {
+    if (!environmentVariable(name).empty()) found.hidingVariable = name;
+  }
   for (const char* name : {"VK_DRIVER_FILES", "VK_ICD_FILENAMES"}) {
+    const bool isSet = std::getenv(name) != nullptr;
+    if (found.variable.empty() && isSet && environmentVariable(name).empty()) found.hidingVariable = name;
     if (found.variable.empty() && !environmentVariable(name).empty()) found.variable = name;
   }
   if (!found.variable.empty()) {

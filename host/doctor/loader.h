@@ -4,6 +4,7 @@
 
 namespace candela::doctor {
 
+/// The first check is that of the loader, and it is `ok` if the loader can be opened.
 Checks checkLoader();
 
 }  // namespace candela::doctor

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +12,8 @@
 #include <fstream>
 #include <optional>
 #include <system_error>
+
+#include "host/core/memory_budget.h"
 
 namespace candela::doctor {
 namespace {
@@ -32,9 +35,11 @@ std::optional<double> availableMemory() {
 }
 
 Check checkMemory() {
-  const double total = static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
-  const double available = availableMemory().value_or(total);
+  const auto total = static_cast<double>(memoryBudget());
+  const double available = std::min(availableMemory().value_or(total), total);
   Check check{"memory", Status::ok, fmt::format("{:.1f} of {:.1f} GiB available", available / kGiB, total / kGiB), ""};
+  if (memoryBudget() < physicalMemory())
+    check.text += "; the control group of this process (a container or a scheduler) sets this limit";
   if (available < kMinMemory) {
     check.status = Status::warning;
     check.remedy = "close other programs, or render smaller pictures (--size)";
@@ -43,6 +48,10 @@ Check checkMemory() {
 }
 
 Check checkDisk(const fs::path& folder) {
+  if (folder.empty()) {
+    return {"working folder", Status::warning, "it was removed, so that files with relative names cannot be written",
+            "change to another folder"};
+  }
   const std::string name = folder.string();
   if (const std::string problem = whyNotWritable(folder); !problem.empty()) {
     return {"working folder", Status::warning, fmt::format("{} cannot be written: {}", name, problem),

@@ -19,6 +19,13 @@ std::string clause(const std::string& what, const std::string& inA, const std::s
 
 using Members = std::vector<std::pair<std::string, std::string>>;
 
+// Some settings have no option of their name: --spp 0 turns antialiasing off, and `accel` describes the structure.
+std::pair<std::string, std::string> memberOf(const std::string& name, const std::string& value) {
+  if (name == "antialiasing") return {name, value.empty() ? "on" : value};
+  if (name == "accel") return {"the acceleration structure", value};
+  return {"--" + name, value};
+}
+
 // Names and values of all members that must be equal in two films of one estimate, in the order in which they are
 // compared.
 Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
@@ -28,7 +35,11 @@ Members estimateOf(const FilmHeader& header, const FilmHeader& other) {
                   {"--seed", fmt::to_string(header.seed)}};
   std::map<std::string, std::string> names = header.settings;
   names.insert(other.settings.begin(), other.settings.end());
-  for (const auto& [name, value] : names) members.emplace_back("--" + name, header.setting(name));
+  // The integrator comes first, since others may differ because of it.
+  members.emplace_back("--integrator", header.setting("integrator"));
+  for (const auto& [name, value] : names) {
+    if (name != "integrator") members.push_back(memberOf(name, header.setting(name)));
+  }
   members.emplace_back("--aov", image::layerText(header.layers));
   return members;
 }

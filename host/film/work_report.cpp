@@ -24,13 +24,18 @@ std::string hostName() {
   return name.data();
 }
 
+// Throws unless the value is a whole number from 0 on. get() would convert other numbers.
+std::uint64_t countIn(const ordered_json& value) { return value.get_ref<const ordered_json::number_unsigned_t&>(); }
+
 // Throws nlohmann's exceptions if the JSON is not that of toJson().
 WorkReport fromJson(const Json& json) {
   WorkReport work;
-  work.runs = json.at("runs").get<std::uint64_t>();
-  work.runsNotCounted = json.at("runsNotCounted").get<std::uint64_t>();
+  work.runs = countIn(json.at("runs"));
+  work.runsNotCounted = countIn(json.at("runsNotCounted"));
   work.hosts = json.at("hosts").get<std::set<std::string>>();
-  work.counts = json.at("counts").get<std::map<std::string, std::uint64_t>>();
+  for (const auto& [name, count] : json.at("counts").get<std::map<std::string, ordered_json>>()) {
+    work.counts[name] = countIn(count);
+  }
   work.seconds = json.at("seconds").get<std::map<std::string, double>>();
   return work;
 }

@@ -69,7 +69,7 @@ void save(const PythonFilm& film, const py::args& files, const py::kwargs& optio
   const Files outputs = filesOf(files);
   const std::filesystem::path filmFile = takeFilmFile(options);
   for (const auto& file : outputs) cli::requireWritableImage(file);
-  if (!filmFile.empty()) cli::requireWritableFile(filmFile);
+  if (!filmFile.empty()) cli::requireWritableFilm(filmFile);
   const cli::Arguments arguments = savingArguments(film, outputs, filmFile, options);
   requireSeparate(arguments, film.files);
   PythonLog log;

@@ -10,6 +10,7 @@ namespace candela {
 namespace {
 
 using Catch::Contains;
+using nlohmann::json;
 using std::chrono::milliseconds;
 
 const FilmRuns kAdaptive{adaptiveOptions({"--device", "cpu", "--size", "72x68"})};
@@ -87,6 +88,27 @@ TEST_CASE("adaptive: a film is resumed only with its threshold") {
   const ProgramResult merged = runCandela({"merge", crop, rest, "-o", folder.path("m.exr")});
   CHECK(merged.exitCode == 2);
   CHECK_THAT(merged.err, Contains("--noise-threshold is 0.2 in") && Contains("0.3 in"));
+}
+
+TEST_CASE("adaptive: a film is not resumed with fewer samples than one of its pixels has") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", causticScene());
+  const std::string film = folder.path("a.exr");
+  const std::vector<std::string> options{"--checkpoint", film, "--noise-threshold", "0.05", "--spp", "1000000"};
+  int most = 0;
+  for (const char* limit :
+       {"0.5s", "1s", "2s", "4s", "8s", "16s"}) {  // every pixel has 64 samples before others follow
+    std::vector<std::string> words = options;
+    words.insert(words.end(), {"--time-limit", limit});
+    if (std::filesystem::exists(film)) words.insert(words.end(), {"--resume", film});
+    REQUIRE(kAdaptive.run(scene, words).exitCode == 7);
+    most = json::parse(runCandela({"film", film, "--json", "-"}).out).at("adaptive").at("maxSamples");
+    if (most > 65) break;
+  }
+  REQUIRE(most > 65);
+  const std::string count = std::to_string(most);
+  CHECK_THAT(kAdaptive.refusal(scene, {"--resume", film, "--noise-threshold", "0.05", "--spp", "65"}),
+             Contains("a.exr: the film already has up to " + count + " samples per pixel; use --spp " + count));
 }
 
 TEST_CASE("adaptive: reports, films and images state the numbers of samples") {

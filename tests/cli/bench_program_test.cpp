@@ -54,6 +54,7 @@ TEST_CASE("bench accel compares structures on any scenes") {
 TEST_CASE("a benchmark that does not exist, or lacks its scene, is a usage error") {
   CHECK_THAT(runBench({"tabel1"}).err, Contains("did you mean table1?"));
   CHECK(runBench({"tabel1"}).exitCode == 1);
+  CHECK(runBench({std::string(300, 'a')}).exitCode == 1);  // no file system has such a name
   CHECK(runBench({"accel"}).exitCode == 1);
   CHECK_THAT(runBench({"rays"}).err, Contains("bench rays: no scene given"));
   CHECK_THAT(runBench({"rays", "absent.p3f"}).err, Contains("the rays of the reference tracer cannot be timed alone"));

@@ -59,7 +59,7 @@ TEST_CASE("doctor says how to leave out a driver that crashes beside one that wo
 TEST_CASE("doctor on a device that does not exist lists the others, and exits with 4", "[swiftshader-slow]") {
   const ProgramResult result = runCandela({"doctor", "--device", "no such device"});
   CHECK(result.exitCode == 4);
-  CHECK(contains(result.out, "problem  chosen device: no Vulkan device \"no such device\""));
+  CHECK(contains(result.out, "problem  chosen device: no Vulkan device \"no such device\"\n"));
 }
 
 }  // namespace candela

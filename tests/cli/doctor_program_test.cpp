@@ -1,5 +1,6 @@
 // `candela doctor` on machines without a driver that works.
 #include <catch2/catch.hpp>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/doctor_report.h"
@@ -63,6 +64,16 @@ TEST_CASE("doctor prints one line for each check and how to fix each problem") {
   CHECK(contains(result.out, "problem  driver none.json: /nonexistent/none.json does not exist\n"));
   CHECK(contains(result.out, "         how to fix: unset VK_DRIVER_FILES"));
   CHECK(contains(result.out, "A render will not work"));
+}
+
+TEST_CASE("doctor works in a folder that was removed") {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path("gone"));
+  const ProgramResult result = runProgram(
+      "/bin/sh", {"-c", "cd \"$0\" && rmdir \"$0\" && exec \"$1\" doctor", folder.path("gone"), CANDELA_PROGRAM},
+      {.environment = {"VK_DRIVER_FILES=/nonexistent/none.json"}});
+  CHECK(result.exitCode == 4);
+  CHECK(contains(result.out, "warning  working folder: it was removed, so that"));
 }
 
 TEST_CASE("doctor refuses what it cannot do before it does anything") {

@@ -75,7 +75,9 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
     options.insert(options.end(), {"--resume", film});
     return kReference.refusal(of, options);
   };
-  CHECK_THAT(refusal(other, {}), Contains("film.exr: the scene's hash is"));
+  CHECK_THAT(refusal(other, {}),
+             Contains("film.exr: the scene's hash is") &&
+                 Contains("in this render: a file of the scene, --env, --camera or --time differs; --"));
   CHECK_THAT(refusal(scene, {"--seed", "1"}), Contains("--seed is 0 in the film and 1 in this render"));
   CHECK_THAT(refusal(scene, {"--max-depth", "3"}), Contains("--max-depth is 64 in the film and 3"));
   CHECK_THAT(refusal(scene, {"--seed", "1", "--one-sided", "--time", "3"}),
@@ -83,13 +85,21 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(refusal(scene, {"--size", "24x36"}), Contains("--size is 48x36") && EndsWith("; use --size 48x36\n"));
   CHECK_THAT(refusal(scene, {"--size", "24x36", "--resume-anyway"}),
              Contains("an image of 48x36 pixels, and the render of one of 24x36; use --size 48x36"));
-  CHECK_THAT(refusal(scene, {"--spp", "0"}), Contains("--antialiasing is absent in the film and off"));
+  CHECK_THAT(refusal(scene, {"--spp", "0"}),
+             Contains("film.exr: antialiasing is on in the film and off in this render; use --spp 12"));
+  CHECK_THAT(refusal(scene, {"--integrator", "cost"}),
+             Contains("--integrator is path in the film and cost in this render; leave out --integrator; --resume"));
   CHECK_THAT(refusal(scene, {"--crop", "0,0,9,9"}), Contains("use --crop 0,0,48,36"));
   CHECK_THAT(refusal(scene, {"--samples", "5:8"}), Contains("starts at sample 0 and ends before sample 4"));
   CHECK_THAT(refusal(scene, {"--samples", "0:2"}), Contains("ends before sample 4"));
   CHECK_THAT(refusal(scene, {"--spp", "3"}),
              Contains("the film already has 4 samples per pixel; use --spp 5 or more") && Contains("candela film "));
   CHECK_THAT(refusal(folder.path("none.p3f"), {}), Contains("none.p3f"));
+  const std::string later = folder.path("later.exr");
+  kReference.film(scene, later, {"--samples", "4:8"});
+  CHECK_THAT(
+      kReference.refusal(scene, {"--resume", later}),
+      Contains("starts at sample 4 and ends before sample 8, and the render has samples 0:12; use --samples 4:N"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", folder.path("none.exr")}), Contains("none.exr: No such file"));
   CHECK_THAT(kReference.refusal(scene, {"--resume", scene}), Contains("not an OpenEXR file"));
 }
@@ -149,6 +159,51 @@ TEST_CASE("a film is not resumed nor merged with other layers") {
   kReference.film(scene, folder.path("rest.exr"), {"--resume", with, "--aov", "normal,samples"});
 }
 
+TEST_CASE("a film that is resumed with other layers because of --denoise is refused with the option that helps") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string plain = folder.path("plain.exr"), moments = folder.path("moments.exr"),
+                    all = folder.path("all.exr");
+  kReference.film(scene, plain);
+  kReference.film(scene, moments, {"--denoise"});
+  kReference.film(scene, all, {"--aov", "normal"});
+  const auto refusal = [&](const std::string& film, std::vector<std::string> options) {
+    options.insert(options.end(), {"--resume", film, "-o", folder.path("a.exr")});
+    return kReference.refusal(scene, options);
+  };
+  CHECK_THAT(refusal(plain, {"--denoise"}), Contains("and the render moments; leave out --denoise\n"));
+  CHECK_THAT(refusal(moments, {}), Contains("and the render none; use --denoise or --aov moments\n"));
+  CHECK_THAT(refusal(all, {"--denoise"}), Contains("use --aov normal, and leave out --denoise\n"));
+  CHECK_THAT(refusal(all, {}), Contains("use --aov normal\n"));
+}
+
+TEST_CASE("a film of the view cost is resumed only with its acceleration structure") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("cost.exr");
+  kReference.film(scene, film, {"--integrator", "cost", "--samples", "0:4"});
+  CHECK_THAT(
+      kReference.refusal(scene, {"--integrator", "cost", "--accel", "grid", "--resume", film}),
+      Contains("cost.exr: the acceleration structure is none") && Contains("; use --accel none; --resume-anyway"));
+  kReference.film(scene, folder.path("b.exr"), {"--integrator", "cost", "--accel", "none", "--resume", film});
+}
+
+TEST_CASE("a film is not resumed with fewer samples than some of its pixels have") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string film = folder.path("film.exr"), merged = folder.path("merged.exr");
+  const ProgramResult stopped = kReference.run(
+      scene, {"--checkpoint", film, "--crop", "0,0,24,36", "--spp", "100000", "--time-limit", "0.5s"});
+  REQUIRE(stopped.exitCode == 7);
+  CHECK_THAT(kReference.refusal(scene, {"--resume", film, "--crop", "0,0,24,36", "--spp", "2"}),
+             Contains("film.exr: the film already has up to ") && Contains(" samples per pixel; use --spp "));
+  const std::string right = folder.path("right.exr");
+  kReference.film(scene, right, {"--crop", "24,0,24,36", "--spp", "100000", "--samples", "0:1"});
+  REQUIRE(runCandela({"merge", film, right, "--partial", "-o", merged}).exitCode == 0);
+  CHECK_THAT(kReference.refusal(scene, {"--resume", merged, "--spp", "100000"}),
+             Contains("merged.exr: the film was merged with interrupted parts; resume the films of these parts"));
+}
+
 TEST_CASE("a film is resumed only under the same environment, whatever the name of its file") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());
@@ -198,6 +253,32 @@ TEST_CASE("a film file is not overwritten by a render that does not resume it") 
   CHECK(readText(film) == before);
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", "/dev/null"}), Contains("regular file"));
   CHECK_THAT(kReference.refusal(scene, {"--checkpoint", folder.path("no/where.exr")}), Contains("no folder"));
+}
+
+TEST_CASE("a film or report that could not be written is refused before anything is rendered") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string part = folder.path("part.exr"), picture = folder.path("a.png");
+  kReference.film(scene, part);
+  const auto refuse = [&](const std::string& film, int code, const std::string& message) {
+    const ProgramResult rendered = kReference.run(scene, {"--checkpoint", film, "-o", picture});
+    CHECK(rendered.exitCode == code);
+    CHECK_THAT(rendered.err, Contains(message));
+    CHECK(!std::filesystem::exists(picture));
+    const ProgramResult merged = runCandela({"merge", part, "-o", film});
+    CHECK(merged.exitCode == code);
+    CHECK_THAT(merged.err, Contains(message));
+  };
+  // The name is short enough for a film, but not for the temporary file of its report.
+  refuse(folder.path(std::string(240, 'n') + ".exr"), 2, "File name too long");
+  std::filesystem::create_directory(folder.path("f.exr.json"));
+  refuse(folder.path("f.exr"), 2, "f.exr.json: is a folder");
+  refuse("-", 1, "-: a film is not written to stdout; name a file");
+  refuse("/dev/null", 2, "/dev/null: a film is written to a regular file only");
+  CHECK(folder.fileCount() == 4);  // the scene, a film with its report, and the folder
+  const std::string spaced = folder.path("a b.exr");
+  std::filesystem::copy_file(part, spaced);
+  CHECK_THAT(kReference.refusal(scene, {"--checkpoint", spaced}), Contains("with --resume '" + spaced + "', or"));
 }
 
 TEST_CASE("ranges of --samples and windows of --crop beyond the image are refused") {

@@ -35,6 +35,22 @@ TEST_CASE("a film that cannot be written at the end is an error, and the picture
   CHECK(std::filesystem::exists(picture));
 }
 
+TEST_CASE("a picture that cannot be written does not prevent the other ones and the report") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string picture = folder.path("c.png"), report = folder.path("c.json");
+  // A PFM file of this size has 9 KB, and the limit is 8 KiB.
+  const ProgramResult result = runProgram(
+      "/bin/sh",
+      {"-c", "ulimit -f 16 && exec \"$0\" \"$@\"", CANDELA_PROGRAM, scene, "--device", "cpu", "--size", "32x24",
+       "--spp", "1", "-o", folder.path("a.pfm"), "-o", folder.path("b.pfm"), "-o", picture, "--json", report});
+  CHECK(result.exitCode == 2);
+  CHECK_THAT(result.err, Contains("a.pfm\": File too large\ncandela: cannot write") && Contains("b.pfm\": File too"));
+  CHECK(std::filesystem::exists(picture));
+  CHECK(jsonOf(report).at("schema") == "candela-render/1");
+  CHECK(folder.fileCount() == 3);
+}
+
 TEST_CASE("a film beyond the limit for files (ulimit -f) is an error, and not the end of the program") {
   const TemporaryFolder folder;
   const std::string scene = folder.write("a.p3f", smallScene());

@@ -52,6 +52,14 @@ TEST_CASE("an atomic write that fails names the file and leaves no trace") {
   CHECK(fileCount(folder.path()) == 1);
 }
 
+TEST_CASE("a name that is too long for the temporary file is refused before anything is written") {
+  const TemporaryFolder folder;
+  constexpr std::size_t kLongest = 255 - std::string_view(".candela-part").size();
+  writeFileAtomically(folder.path(std::string(kLongest, 'n')), {});
+  CHECK_THROWS_WITH(AtomicFile(folder.path(std::string(kLongest + 1, 'n'))), Catch::Contains("File name too long"));
+  CHECK(folder.fileCount() == 1);
+}
+
 TEST_CASE("an atomic write follows a symbolic link and preserves it") {
   TemporaryFolder folder;
   writeText(folder / "target", "old");

@@ -13,13 +13,13 @@ using Catch::Contains;
 using vulkan::EnvironmentGuard;
 
 // The diagnosis of a machine whose only driver has this library.
-DriverDiagnosis diagnosisWith(const std::string& library) {
+DriverDiagnosis diagnosisWith(const std::string& library, bool hasLoader = true) {
   const TemporaryFolder folder;
   writeText(folder / "made.json",
             R"({"file_format_version": "1.0.0", "ICD": {"api_version": "1.2.0", "library_path": ")" + library + "\"}}");
   const EnvironmentGuard files("VK_DRIVER_FILES", (folder / "made.json").string());
   const EnvironmentGuard old("VK_ICD_FILENAMES", (folder / "made.json").string());
-  return checkDrivers();
+  return checkDrivers(hasLoader);
 }
 
 void requireProblems(const DriverDiagnosis& diagnosis) {
@@ -61,11 +61,36 @@ TEST_CASE("a variable that names no driver is the problem") {
   const TemporaryFolder empty;
   const EnvironmentGuard files("VK_DRIVER_FILES", empty.path().string());
   const EnvironmentGuard old("VK_ICD_FILENAMES", (empty / "none.json").string());
-  const DriverDiagnosis diagnosis = checkDrivers();
+  const DriverDiagnosis diagnosis = checkDrivers(true);
   REQUIRE(diagnosis.checks.size() == 2);
   CHECK(diagnosis.checks[0].text == "VK_DRIVER_FILES names no driver");
   CHECK(diagnosis.checks[0].remedy == "unset VK_DRIVER_FILES");
   CHECK_THAT(diagnosis.checks[1].remedy, Contains("unset VK_DRIVER_FILES"));
+}
+
+TEST_CASE("a variable that is set, but empty, is named if no device is found") {
+  const TemporaryFolder empty;
+  const EnvironmentGuard files("VK_DRIVER_FILES", "");
+  const EnvironmentGuard old("VK_ICD_FILENAMES", (empty / "none.json").string());
+  const DriverDiagnosis diagnosis = checkDrivers(true);
+  CHECK(diagnosis.checks.back().text == "none found; VK_DRIVER_FILES is set, but names no driver");
+  CHECK_THAT(diagnosis.checks.back().remedy, Contains("unset VK_DRIVER_FILES"));
+}
+
+TEST_CASE("a filter of drivers is named if no device is found") {
+  const EnvironmentGuard filter("VK_LOADER_DRIVERS_DISABLE", "*");
+  const DriverDiagnosis diagnosis = diagnosisWith("libm.so.6");
+  CHECK(diagnosis.checks.back().text == "none found; VK_LOADER_DRIVERS_DISABLE=* may hide drivers");
+  CHECK_THAT(diagnosis.checks.back().remedy, Contains("unset VK_LOADER_DRIVERS_DISABLE"));
+}
+
+TEST_CASE("without the loader, nothing is said about devices of drivers, and the loader is the remedy") {
+  const DriverDiagnosis diagnosis = diagnosisWith("libm.so.6", false);
+  REQUIRE(diagnosis.checks.size() == 2);
+  CHECK(diagnosis.checks[0].status == Status::ok);
+  CHECK(diagnosis.checks[0].text == "registered; it cannot be examined without the Vulkan loader");
+  CHECK(diagnosis.checks[1].status == Status::problem);
+  CHECK(diagnosis.checks[1].remedy == "apt-get install libvulkan1");
 }
 
 }  // namespace candela::doctor

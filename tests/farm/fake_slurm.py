@@ -9,7 +9,7 @@ from pathlib import Path
 SBATCH = """
 if number == os.environ.get("FAKE_REFUSES"):
     sys.exit("sbatch: error: QOSMaxSubmitJobPerUserLimit")
-(folder / f"{number}.json").write_text(json.dumps([sys.argv[1:], pathlib.Path(sys.argv[-1]).read_text()]))
+(folder / f"{number}.json").write_text(json.dumps([sys.argv[1:], os.fsdecode(pathlib.Path(sys.argv[-1]).read_bytes())]))
 print(number)
 if "--wait" in sys.argv:
     log = next(word.partition("=")[2] for word in sys.argv if word.startswith("--output="))
@@ -57,7 +57,7 @@ class FakeSlurm:
         """Runs the tasks of an array one after the other, in a folder of its own. Returns their exit codes."""
         options, text = json.loads((self.jobs / f"{number}.json").read_text())
         script = self.folder / "script"
-        script.write_text(text)
+        script.write_bytes(os.fsencode(text))
         spans = next(word.partition("=")[2] for word in options if word.startswith("--array="))
         codes = []
         for first, last in re.findall(r"(\d+)(?:-(\d+))?", spans):

@@ -59,6 +59,14 @@ class PlanTest(unittest.TestCase):
         with self.assertRaisesRegex(framing.PlanError, "-o: needs a value"):
             framing.frame_of(["a.glb", "-o"])
 
+    def test_lines_of_a_list_are_words_of_a_shell(self):
+        for line, words in (("a#1.glb --spp 4 -o 'out #2.png'", ["a#1.glb", "--spp", "4", "-o", "out #2.png"]),
+                            ("a.glb -o a.png  # the first", ["a.glb", "-o", "a.png"]), ("# none", []), ("", []),
+                            ('"a \\" #.glb" \\#b \\ #c', ['a " #.glb', "#b", " #c"])):
+            self.assertEqual(framing.words_of(line), words, line)
+        with self.assertRaises(ValueError):
+            framing.words_of("a.glb -o 'a.png")
+
     def test_two_frames_never_write_the_same_file(self):
         frame = framing.frame_of(["a.glb", "-o", "a.png"])
         with self.assertRaisesRegex(framing.PlanError, "a.png: is the output of two frames"):

@@ -89,6 +89,15 @@ class SampleTest(SubmitTest):
         self.assertIn("--spp x: is not a number", self.submit(*self.list_of("--spp 1", "--spp x"), expected=2))
         self.assertEqual(self.slurm.submitted(), [])
 
+    def test_names_in_a_list_may_have_any_bytes(self):
+        scene = self.folder / os.fsdecode(b"sc\xe8ne #1.p3f")
+        scene.write_bytes(CORNELL.read_bytes())
+        line = f"'{scene}' {' '.join(RENDER)} --spp 2 -o '{self.folder}/1.png'\n"
+        (self.folder / "frames.txt").write_bytes(os.fsencode(line))
+        self.submit("--shards", "2", "--frames", str(self.folder / "frames.txt"))
+        self.run_jobs()
+        self.assertEqual((self.job / "frame-00000/film.exr").read_bytes(), self.film_of_one_run("--spp", "2"))
+
     def test_a_still_without_samples_has_those_of_its_scene(self):
         self.submit("--shards", "3", *self.still())
         self.run_jobs()

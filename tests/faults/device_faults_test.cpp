@@ -85,6 +85,26 @@ TEST_CASE("an image whose device fails while it is denoised is denoised by the h
   }
 }
 
+TEST_CASE("a finished render whose device cannot be opened again is denoised by the host") {
+  const Render render;
+  render.film("film.exr", "", {"--denoise"});
+  const std::string film = render.folder.path("film.exr"), a = render.folder.path("a.pfm");
+  REQUIRE(runCandela({"denoise", film, "-o", a, "--device", "cpu"}).exitCode == 0);
+  for (const char* result : {"INITIALIZATION_FAILED", "DEVICE_LOST", "OUT_OF_HOST_MEMORY"}) {
+    INFO(result);
+    const std::string b = render.folder.path("b.pfm");
+    std::filesystem::remove(b);
+    const ProgramResult rendered = render.run({"--denoise", "-o", b}, fault("vkCreateDevice", 2, result, kEveryFrom));
+    CHECK(rendered.exitCode == 0);
+    CHECK(contains(rendered.err, "; the image is denoised on the host instead"));
+    CHECK(readText(b) == readText(a));
+  }
+  // A film file is not lost with the device.
+  const ProgramResult denoised = runCandela(
+      {"denoise", film, "-o", a}, withFaults(fault("vkCreateDevice", 1, "INITIALIZATION_FAILED", kEveryFrom)));
+  CHECK(denoised.exitCode == 4);
+}
+
 TEST_CASE("a render whose device fails once ends with the bytes of one that did not") {
   const Render render;
   const std::string whole = render.film("whole.exr");

@@ -29,7 +29,11 @@ TEST_CASE("a file that is not a report counts as a run without counts") {
   const TemporaryFolder folder;
   for (const char* text :
        {"", "{", "[]", "{\"film\":\"x\"}", "{\"film\":\"x\",\"runs\":\"two\"}",
-        "{\"film\":\"x\",\"runs\":1,\"runsNotCounted\":0,\"hosts\":[1],\"counts\":{},\"seconds\":{}}"}) {
+        "{\"film\":\"x\",\"runs\":1,\"runsNotCounted\":0,\"hosts\":[1],\"counts\":{},\"seconds\":{}}",
+        "{\"film\":\"x\",\"runs\":-1,\"runsNotCounted\":0,\"hosts\":[],\"counts\":{},\"seconds\":{}}",
+        "{\"film\":\"x\",\"runs\":1,\"runsNotCounted\":0.5,\"hosts\":[],\"counts\":{},\"seconds\":{}}",
+        "{\"film\":\"x\",\"runs\":1,\"runsNotCounted\":0,\"hosts\":[],\"counts\":{\"samples\":1e300},\"seconds\":{}"
+        "}"}) {
     writeBytes(folder / "a.exr.json", text);
     INFO(text);
     const WorkReport work = readWork(folder / "a.exr", "x");
