@@ -45,7 +45,7 @@ std::vector<Option> executionOptions() {
     valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails permanently; `cpu`: the reference tracer, and the film is marked as mixed"},
            choice<Fallback>({{"none", Fallback::none}, {"cpu", Fallback::reference}}), [](auto& a) -> auto& { return a.fallback; }),
     valued({"--memory", kReadingScenes | kFilm | kMerge | kDenoise, kGroup, "maximum memory to use; work that needs more is refused before memory is allocated"},
-           orAbsent(byteCount(), "the machine's"), [](auto& a) -> auto& { return a.memory; }),
+           orAbsent(byteCount(), "that of the machine or of its control group"), [](auto& a) -> auto& { return a.memory; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),
     flag({"--no-cache", kTracing | kTune | kDenoise, kGroup, "neither read nor write compiled pipelines in the cache folder; the driver may have a cache of its own"},
          [](auto& a) -> auto& { return a.noCache; }),

@@ -25,7 +25,7 @@ std::string hostName() {
 }
 
 // Throws unless the value is a whole number from 0 on. get() would convert other numbers.
-std::uint64_t countIn(const ordered_json& value) { return value.get_ref<const ordered_json::number_unsigned_t&>(); }
+std::uint64_t countIn(const Json& value) { return value.get_ref<const Json::number_unsigned_t&>(); }
 
 // Throws nlohmann's exceptions if the JSON is not that of toJson().
 WorkReport fromJson(const Json& json) {
@@ -33,7 +33,7 @@ WorkReport fromJson(const Json& json) {
   work.runs = countIn(json.at("runs"));
   work.runsNotCounted = countIn(json.at("runsNotCounted"));
   work.hosts = json.at("hosts").get<std::set<std::string>>();
-  for (const auto& [name, count] : json.at("counts").get<std::map<std::string, ordered_json>>()) {
+  for (const auto& [name, count] : json.at("counts").get<std::map<std::string, Json>>()) {
     work.counts[name] = countIn(count);
   }
   work.seconds = json.at("seconds").get<std::map<std::string, double>>();

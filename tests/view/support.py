@@ -15,7 +15,9 @@ import OpenImageIO
 
 PROGRAM = os.environ["CANDELA_PROGRAM"]
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-PATIENCE = 60  # seconds until something that must happen counts as missing
+# Seconds until something that must happen counts as missing. SwiftShader compiles a kernel in up to 20 s, and on a loaded
+# machine or with sanitizers in several times that.
+PATIENCE = 240
 
 # A picture of this size is shown with twice its size at this place of a window of 640 x 460 pixels.
 SIZE = "144x230"
