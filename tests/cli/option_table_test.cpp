@@ -61,7 +61,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--segments-per-dispatch", "N", "auto"},
       {"--hang-timeout", "TIME", "auto"},
       {"--fallback", "none|cpu", "none"},
-      {"--memory", "SIZE", "the machine's"},
+      {"--memory", "SIZE", "that of the machine or of its control group"},
       {"--untuned", "", ""},
       {"--no-cache", "", ""},
       {"-t,--threads", "N", "0"},
