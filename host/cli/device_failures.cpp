@@ -28,7 +28,8 @@ std::chrono::milliseconds pauseBefore(int attempt) {
 }  // namespace
 
 bool DeviceFailures::isOne(const Error& error) const {
-  return is<DeviceLostError>(error) || is<OutOfMemoryError>(error) || (is<NoDeviceError>(error) && count_ > 0);
+  if (is<NoDeviceError>(error)) return count_ > 0 || job_.arguments.fallback == Fallback::reference;
+  return is<DeviceLostError>(error) || is<OutOfMemoryError>(error);
 }
 
 // A pixel's state is below 256 bytes, so that the first step divides the image in bands, however large it is. One row
@@ -43,7 +44,8 @@ void DeviceFailures::limitBands() {
 bool DeviceFailures::mayTryAgain(const Error& error) {
   if (is<OutOfMemoryError>(error)) limitBands();
   if (is<DeviceLostError>(error)) dispatchSeconds_ /= kShorterDispatches;
-  const bool isFinal = is<DeviceHungError>(error) || is<DeviceLimitError>(error);
+  const bool wasAbsent = is<NoDeviceError>(error) && count_ == 0;
+  const bool isFinal = is<DeviceHungError>(error) || is<DeviceLimitError>(error) || wasAbsent;
   if (isFinal || count_ == kMaxAttempts) return false;
   ++count_;
   log_.warning(fmt::format("{}; the device is opened again (attempt {} of {})", error.what(), count_, kMaxAttempts));

@@ -15,11 +15,12 @@ class DeviceFailures {
   DeviceFailures(const RenderJob& job, const Log& log)
       : job_(job), log_(log), dispatchSeconds_(job.settings().execution.dispatchSeconds) {}
 
-  /// Returns whether opening the device again may help: it was lost, or memory ran out; after a first failure, also if
-  /// it is not found any more. Not for devices that hang, which cannot be opened again while they do.
+  /// Returns whether the render may go on: the device was lost, or memory ran out; after a first failure, also if the
+  /// device is not found any more, and with --fallback cpu if it was never found.
   bool isOne(const Error& error) const;
   /// Counts a failure. Returns whether the device is to be opened again, after a pause that grows with each failure,
-  /// and says so; at most three times in all.
+  /// and says so; at most three times in all. Devices that hang cannot be opened again while they do, and one that was
+  /// never found is not searched for again.
   bool mayTryAgain(const Error& error);
   int count() const { return count_; }
 
