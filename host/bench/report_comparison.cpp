@@ -45,9 +45,9 @@ bool ReportComparison::regressed() const { return std::any_of(rows.begin(), rows
 
 ReportComparison compareReports(const json& oldReport, const std::string& oldName, const json& newReport,
                                 const std::string& newName, double threshold) {
-  const std::vector<ReportRow> before = readRows(oldReport, oldName);
-  const std::vector<ReportRow> after = readRows(newReport, newName);
-  ReportComparison comparison{deviceOf(oldReport), deviceOf(newReport), threshold, {}};
+  const ReportContent old = readContent(oldReport, oldName), current = readContent(newReport, newName);
+  const std::vector<ReportRow>&before = old.rows, &after = current.rows;
+  ReportComparison comparison{old.device, current.device, threshold, {}};
   for (const ReportRow& row : before) {
     const ReportRow* const counterpart = find(after, row.name);
     if (counterpart == nullptr) {

@@ -8,6 +8,7 @@
 
 #include "host/bench/render_rows.h"
 #include "host/core/errors.h"
+#include "host/core/json_value.h"
 
 namespace candela::bench {
 namespace {
@@ -44,32 +45,29 @@ std::string nameOf(const json& row) {
   return name;
 }
 
-template <class T>
-std::optional<T> fieldOf(const json& row, const char* key) {
-  const auto field = row.find(key);
-  return field == row.end() || field->is_null() ? std::nullopt : std::optional(field->get<T>());
+std::optional<double> numberIn(const JsonValue& row, const char* key) {
+  const JsonValue value = row.findOrNull(key);
+  return value.isNull() ? std::nullopt : std::optional(value.number());
+}
+
+ReportRow rowIn(const JsonValue& row) {
+  return {nameOf(renamed(row.json())), row.require("sceneHash").text(), numberIn(row, "mraysPerSecond"),
+          numberIn(row, "spread").value_or(0)};
 }
 
 }  // namespace
 
-std::vector<ReportRow> readRows(const json& report, const std::string& name) {
+ReportContent readContent(const json& report, const std::string& name) {
   try {
-    if (report.at("schema") != kBenchSchema && report.at("schema") != kOldSchema)
-      throw FileError(name + ": not a report of candela bench: it has another schema");
-    std::vector<ReportRow> rows;
-    for (const json& row : report.at("rows")) {
-      rows.push_back({nameOf(renamed(row)), row.at("sceneHash").get<std::string>(),
-                      fieldOf<double>(row, "mraysPerSecond"), fieldOf<double>(row, "spread").value_or(0)});
-    }
-    return rows;
-  } catch (const json::exception& error) {
+    const JsonValue root(report, "");
+    const JsonValue schema = root.require("schema");
+    if (schema.text() != kBenchSchema && schema.text() != kOldSchema) schema.fail("it has another schema");
+    ReportContent content{root.textOr("device", "") + ", " + root.textOr("driver", ""), {}};
+    for (const JsonValue& row : root.require("rows").items()) content.rows.push_back(rowIn(row));
+    return content;
+  } catch (const JsonError& error) {
     throw FileError(fmt::format("{}: not a report of candela bench: {}", name, error.what()));
   }
-}
-
-std::string deviceOf(const json& report) {
-  return fieldOf<std::string>(report, "device").value_or("") + ", " +
-         fieldOf<std::string>(report, "driver").value_or("");
 }
 
 }  // namespace candela::bench

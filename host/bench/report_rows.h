@@ -14,9 +14,13 @@ struct ReportRow {
   double spread = 0;
 };
 
-/// Throws FileError if the report has neither kBenchSchema nor its predecessor. `name` is that of its file.
-std::vector<ReportRow> readRows(const nlohmann::json& report, const std::string& name);
-/// Returns the device and the driver of a report.
-std::string deviceOf(const nlohmann::json& report);
+struct ReportContent {
+  std::string device;  ///< and driver
+  std::vector<ReportRow> rows;
+};
+
+/// Throws FileError if the report has neither kBenchSchema nor its predecessor, or if a member is none of such a
+/// report. `name` is that of its file.
+ReportContent readContent(const nlohmann::json& report, const std::string& name);
 
 }  // namespace candela::bench

@@ -98,11 +98,32 @@ TEST_CASE("a file that is no report is refused, and the message names it") {
   const json good = reportOf({});
   for (const json& bad :
        {json::object(), json::array(), json(3), json{{"schema", "other/1"}}, json{{"schema", "candela-bench/2"}},
-        reportOf({json::object()}), reportOf({json(1)}), json{{"schema", "candela-bench/2"}, {"rows", 3}}}) {
+        reportOf({json::object()}), reportOf({json(1)}), json{{"schema", "candela-bench/2"}, {"rows", 3}},
+        json{{"schema", 2}, {"rows", json::array()}}}) {
     INFO(bad.dump());
     CHECK_THROWS_AS(compare(good, bad), FileError);
     CHECK_THROWS_WITH(compare(bad, good), Contains("old.json: not a report of candela bench"));
   }
+}
+
+TEST_CASE("a member of a report that has another type is refused by its pointer") {
+  json report = reportOf({row("x", 10)});
+  const auto refuses = [&](const json& bad, const std::string& message) {
+    CHECK_THROWS_WITH(compare(report, bad), "new.json: not a report of candela bench: " + message);
+  };
+  for (const char* const member : {"device", "driver"}) {
+    json bad = report;
+    bad[member] = 547776;
+    refuses(bad, std::string("/") + member + ": expected a string");
+  }
+  json bad = report;
+  bad["rows"][0]["sceneHash"] = json::array();
+  refuses(bad, "/rows/0/sceneHash: expected a string");
+  bad = report;
+  bad["rows"][0]["spread"] = "1";
+  refuses(bad, "/rows/0/spread: expected a number");
+  bad["rows"][0]["spread"] = nullptr;
+  CHECK_NOTHROW(compare(report, bad));
 }
 
 TEST_CASE("a report that is nested too deeply is refused before it is parsed") {
