@@ -1,5 +1,5 @@
-// JSON as text. The parser and the serialiser of the JSON library take seconds to compile, and only json_text.cpp
-// includes them (and host/generate, which is independent of this library).
+// JSON as text, with one limit of depth and one form of errors for all files. The parser and the serialiser of the JSON
+// library take seconds to compile in each library that calls them.
 #pragma once
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>

@@ -10,7 +10,7 @@
 namespace candela::doctor {
 
 /// Environment variables with patterns of the names of driver files that the loader uses or leaves out.
-constexpr std::array kFilterVariables{"VK_LOADER_DRIVERS_SELECT", "VK_LOADER_DRIVERS_DISABLE"};
+inline constexpr std::array kFilterVariables{"VK_LOADER_DRIVERS_SELECT", "VK_LOADER_DRIVERS_DISABLE"};
 
 struct DriverFiles {
   std::string variable;  ///< environment variable that replaces the folders; empty: none

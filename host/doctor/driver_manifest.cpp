@@ -1,11 +1,14 @@
 // Reads the JSON file by which a Vulkan driver registers with the loader.
 #include "host/doctor/driver_manifest.h"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "host/cache/read_file.h"
+#include "host/core/json_text.h"
 
 namespace candela::doctor {
 namespace {
@@ -13,14 +16,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 20;
-
-// Returns "parse error at line 1, column 2" of the library's message, whose other parts quote the file.
-std::string positionOf(const Json::parse_error& error) {
-  const std::string message = error.what();
-  const std::size_t start = message.find("parse error");
-  if (start == std::string::npos) return "parse error";
-  return message.substr(start, message.find(':', start) - start);
-}
 
 // A library with a folder in its name is relative to the folder of the file, as for the loader.
 std::string libraryOf(const std::filesystem::path& file, const std::string& name) {
@@ -49,9 +44,9 @@ DriverManifest readManifest(const std::filesystem::path& file) {
     return manifest;
   }
   try {
-    interpret(Json::parse(*text), manifest);
-  } catch (const Json::parse_error& error) {
-    manifest.problem = "is not JSON: " + positionOf(error);
+    interpret(parseJson(*text), manifest);
+  } catch (const JsonSyntaxError& error) {
+    manifest.problem = fmt::format("has an error at line {}, column {}: {}", error.line, error.column, error.what());
   }
   return manifest;
 }

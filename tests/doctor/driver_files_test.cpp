@@ -10,6 +10,7 @@
 namespace candela::doctor {
 namespace {
 
+using Catch::StartsWith;
 using vulkan::EnvironmentGuard;
 
 constexpr const char* kManifest = R"({"file_format_version": "1.0.0", "ICD": {"library_path": "libdriver.so"}})";
@@ -34,8 +35,12 @@ TEST_CASE("a manifest names its library, relative to its folder if it has one") 
 }
 
 TEST_CASE("a manifest that is wrong has a reason, and no library") {
-  CHECK(manifestOf("{\"ICD\":\n {,").problem == "is not JSON: parse error at line 2, column 3");
-  CHECK(manifestOf("").problem == "is not JSON: parse error at line 1, column 1");
+  CHECK_THAT(manifestOf("{\"ICD\":\n {,").problem,
+             StartsWith("has an error at line 2, column 3: not valid JSON: syntax"));
+  CHECK_THAT(manifestOf("").problem, StartsWith("has an error at line 1, column 1: not valid JSON: syntax"));
+  CHECK(manifestOf("{\"ICD\": 1e999}").problem == "has an error at line 1, column 9: not valid JSON: number overflow");
+  CHECK(manifestOf("{\"ICD\":" + std::string(300, '[')).problem ==
+        "has an error at line 1, column 263: JSON is nested more than 256 levels deep");
   CHECK(manifestOf("[1]").problem == "has no object \"ICD\"");
   CHECK(manifestOf("{\"ICD\": 3}").problem == "has no object \"ICD\"");
   CHECK(manifestOf("{\"ICD\": {}}").problem == "has no string \"library_path\" in \"ICD\"");
