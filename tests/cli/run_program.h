@@ -20,8 +20,8 @@ struct ProgramResult {
 struct Surroundings {
   std::vector<std::string> environment{};  ///< added, "NAME=value"
   std::string standardOutput{};            ///< a file to write to instead of catching it
-  /// `signal` (Ctrl-C) is sent after this time. All signals but SIGKILL wait until the program handles them: on a loaded
-  /// machine, it may not have started by then, and the signal would end it.
+  /// `signal` (Ctrl-C) is sent after this time. All signals but SIGKILL wait until the program handles them: on a
+  /// loaded machine, it may not have started by then, and the signal would end it.
   std::optional<std::chrono::milliseconds> interruptAfter{};
   int signal = SIGINT;
   /// SIGUSR1 is sent after each of these times, from `writeRequestsFrom` on, as soon as the program handles it.
