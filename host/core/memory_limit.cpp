@@ -46,10 +46,10 @@ std::optional<std::uint64_t> controlGroupMemory(const fs::path& membership, cons
   std::ifstream groups(membership);
   for (std::string id, controllers, group;
        std::getline(groups, id, ':') && std::getline(groups, controllers, ':') && std::getline(groups, group);) {
-    std::optional<std::uint64_t> limit;
-    if (controllers.empty()) limit = smallestLimit(root, group, "memory.max");
-    if (hasMemory(controllers)) limit = smallestLimit(root / "memory", group, "memory.limit_in_bytes");
-    if (limit) smallest = std::min(smallest.value_or(*limit), *limit);
+    std::optional<std::uint64_t> groupLimit;
+    if (controllers.empty()) groupLimit = smallestLimit(root, group, "memory.max");
+    if (hasMemory(controllers)) groupLimit = smallestLimit(root / "memory", group, "memory.limit_in_bytes");
+    if (groupLimit) smallest = std::min(smallest.value_or(*groupLimit), *groupLimit);
   }
   return smallest;
 }

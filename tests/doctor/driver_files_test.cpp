@@ -37,7 +37,7 @@ TEST_CASE("a manifest names its library, relative to its folder if it has one") 
 TEST_CASE("a manifest that is wrong has a reason, and no library") {
   CHECK_THAT(manifestOf("{\"ICD\":\n {,").problem,
              StartsWith("has an error at line 2, column 3: not valid JSON: syntax"));
-  CHECK_THAT(manifestOf("").problem, StartsWith("has an error at line 1, column 1: not valid JSON: syntax"));
+  CHECK_THAT(manifestOf("").problem, StartsWith("has an error at line 1, column 1: not valid JSON: "));
   CHECK(manifestOf("{\"ICD\": 1e999}").problem == "has an error at line 1, column 9: not valid JSON: number overflow");
   CHECK(manifestOf("{\"ICD\":" + std::string(300, '[')).problem ==
         "has an error at line 1, column 263: JSON is nested more than 256 levels deep");
