@@ -8,6 +8,7 @@
 
 #include "host/bench/render_rows.h"
 #include "host/core/errors.h"
+#include "host/core/json_text.h"
 #include "host/core/json_value.h"
 
 namespace candela::bench {
@@ -37,7 +38,7 @@ std::string nameOf(const json& row) {
   for (const char* const key : kIdentity) {
     const auto field = row.find(key);
     if (field == row.end()) continue;
-    const std::string text = field->is_string() ? field->get<std::string>() : field->dump();
+    const std::string text = field->is_string() ? field->get<std::string>() : jsonText(*field);
     if (text.empty()) continue;
     if (!name.empty()) name += ", ";
     name += text;

@@ -29,7 +29,8 @@ void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
     diagnosis.device = vulkan::chooseDevice(diagnosis.devices, selector);
   } catch (const NoDeviceError& error) {
     if (diagnosis.devices.empty()) return;  // a problem of the drivers, which is in the list already
-    const std::string line = std::string(error.what()).substr(0, std::string_view(error.what()).find('\n'));
+    const std::string message = error.what();
+    const std::string line = message.substr(0, message.find('\n'));
     diagnosis.checks.push_back({"chosen device", Status::problem, line.substr(0, line.rfind("; available devices")),
                                 "choose one of the devices above with --device"});
   }
