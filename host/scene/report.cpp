@@ -87,6 +87,7 @@ SceneReport makeReport(const LoadedScene& loaded) {
   report.bounds = boundsOf(scene);
   report.lights = lightsOf(scene);
   report.materials = materialsOf(scene);
+  report.coincident = coincidentObjects(scene);
   report.camera = scene.camera;
   report.background = scene.background;
   report.skySide = skySideOf(scene);

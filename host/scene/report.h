@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/scene/bounds.h"
+#include "host/scene/coincident_objects.h"
 #include "host/scene/load.h"
 #include "host/scene/memory.h"
 
@@ -37,6 +38,7 @@ struct SceneReport {
   std::optional<Bounds> bounds;  ///< as boundsOf() returns them
   Lights lights;
   Materials materials;
+  std::vector<CoincidentObjects> coincident;
   std::optional<Camera> camera;
   glm::vec3 background{0, 0, 0};
   std::optional<std::uint32_t> skySide;  ///< maximum side of a face of the sky box, in texels

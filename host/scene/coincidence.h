@@ -1,0 +1,36 @@
+// Surfaces that exist twice, or that lie in one plane and overlap: docs/light-transport.md section 4.
+#pragma once
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "host/scene/scene.h"
+
+namespace candela::scene {
+
+/// The tolerance within which the vertices of a flat surface lie in the plane of another one, as a fraction of the
+/// largest coordinate of both.
+inline constexpr double kCoplanarTolerance = 0x1p-21;
+
+/// Surfaces that coincide. Indices are those of Scene::primitives.
+struct Coincidences {
+  /// For each primitive the lowest index of one that has the same shape: triangles with the same vertices in any order,
+  /// equal boxes and planes, spheres with the same centre and the same radius apart from its sign, and cones with the
+  /// same ends in either order. Its own index if there is no lower one.
+  std::vector<std::uint32_t> firstCopy;
+  /// Pairs (a, b), a < b, of flat primitives other than copies that lie in one plane and overlap in more than an edge:
+  /// triangles, faces of boxes, and planes. Copies of a and b are not listed again.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
+  /// For each primitive whether another one is a copy of it or overlaps it in one plane.
+  std::vector<bool> coincident;
+  /// Whether the search ended before all pairs were compared. `overlaps` is then incomplete, and `coincident` is true
+  /// for every flat primitive.
+  bool truncated = false;
+
+  bool any() const;
+};
+
+/// Searches in O(n log n) for meshes in which few boxes of triangles overlap; the number of comparisons is limited.
+Coincidences findCoincidences(const Scene& scene);
+
+}  // namespace candela::scene
