@@ -14,12 +14,13 @@ vec3 coneNormal(vec3 position, vec3 base, float baseRadius, vec3 apex, float ape
   return unit(unit(across) - cone.slope * cone.axis);
 }
 
-// Returns the outward normal of the face that the ray hits, and makes the position's coordinate on that axis exact. The
+// Returns the outward normal of the face that the ray hits at distance t, and makes the position's coordinate on that axis exact. The
 // face follows from the slabs and not from the position, which on a thin box may be closer to the opposite face.
-vec3 boxNormal(Ray ray, vec3 low, vec3 high, bool startsHere, inout vec3 position) {
+vec3 boxNormal(Ray ray, vec3 low, vec3 high, float t, bool startsHere, inout vec3 position) {
   vec3 near, far;
   boxSlabs(ray, low, high, near, far);
-  bool entering = !startsHere && largest(near) > 0.0;
+  float exit = min(far.x, min(far.y, far.z));
+  bool entering = !startsHere && abs(t - largest(near)) <= abs(t - exit);
   vec3 order = entering ? -near : far;
   int axis = order.x <= order.y && order.x <= order.z ? 0 : order.y <= order.z ? 1 : 2;
   bool lower = (ray.direction[axis] > 0.0) == entering;

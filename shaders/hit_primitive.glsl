@@ -2,6 +2,7 @@
 #ifndef CANDELA_HIT_PRIMITIVE_GLSL
 #define CANDELA_HIT_PRIMITIVE_GLSL
 #include "attributes.glsl"
+#include "coincidence.glsl"
 #include "geometry.glsl"
 #include "opacity.glsl"
 #include "scene_access.glsl"
@@ -10,8 +11,6 @@ struct PrimitiveHit {
   float t;
   uint index;  // primitive index in the scene
 };
-
-bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
 
 float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool startsHere, bool inward) {
   vec4 row0 = uintBitsToFloat(rows[0]);
@@ -43,16 +42,21 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
   return dot(cross(p1 - p0, p2 - p0), ray.direction) > 0.0;
 }
 
+// Returns the distance to the primitive of a slot with these records, whatever its opacity.
+float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
+  bool startsHere = startsOn(ray, slot);
+  if (kHasCoincident && !startsHere && (ray.originSlot & kOriginCoincident) != 0u &&
+      (rows[2].w & kFlagCoincident) != 0u) {
+    return hitCoincident(ray, rows, rowsOfSlot(ray.originSlot & kOriginSlotMask));
+  }
+  return hitDistance(ray, rows, kind, startsHere, (ray.originSlot & kOriginInward) != 0u);
+}
+
 PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
-  float t = hitDistance(ray, rows, kind, startsOn(ray, slot), (ray.originSlot & kOriginInward) != 0u);
+  float t = distanceToRows(ray, slot, rows, kind);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   if (kHasTransparency && t < kNoHit && (kind & kFlagTransparent) != 0u && !isThere(ray, rows, t)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
-}
-
-uvec4[3] rowsOfSlot(uint slot) {
-  uint row = primitiveRow(slot);
-  return uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
 }
 
 PrimitiveHit hitPrimitive(Ray ray, uint slot) {

@@ -27,10 +27,21 @@ float hitSphere(Ray ray, vec3 anchor, float radius, vec3 k, bool insideOnly, boo
   return discriminant >= 0.0 && t > 0.0 ? t : kNoHit;
 }
 
+// Returns a sum that does not depend on the order of the terms, and is the opposite for terms of opposite sign.
+float sortedSum(vec3 terms) {
+  float low = smaller(terms.x, smaller(terms.y, terms.z));
+  float high = larger(terms.x, larger(terms.y, terms.z));
+  float middle = larger(smaller(terms.x, terms.y), smaller(larger(terms.x, terms.y), terms.z));
+  precise float sum = (low + high) + middle;
+  return sum;
+}
+
 // Woop, Benthin and Wald's watertight test, which needs no epsilon. An edge shared by two triangles gives both the same
 // number except for its sign, so no ray passes between them. The distance is the weighted mean of the vertices'
-// distances along the ray, so it always lies within the triangle's bounds.
-float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
+// distances along the ray, so it always lies within the triangle's bounds. Returns the distance along the line of the ray,
+// which may be negative, or kNoHit if it misses. Equal triangles in any order of vertices have equal distances if the
+// scene has coincident surfaces.
+float triangleDistance(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   precise vec3 a = sheared(p0, ray);
   precise vec3 b = sheared(p1, ray);
   precise vec3 c = sheared(p2, ray);
@@ -38,18 +49,29 @@ float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   precise float v = a.x * c.y - a.y * c.x;
   precise float w = b.x * a.y - b.y * a.x;
   bool inside = smaller(u, smaller(v, w)) >= 0.0 || larger(u, larger(v, w)) <= 0.0;
+  if (kHasCoincident) {
+    precise vec3 weighted = vec3(u * a.z, v * b.z, w * c.z);
+    float sum = sortedSum(vec3(u, v, w));
+    precise float t = sortedSum(weighted) / sum;
+    return inside && sum != 0.0 ? t : kNoHit;
+  }
   precise float sum = u + v + w;
   if (!inside || sum == 0.0) return kNoHit;
   precise float t = (u * a.z + v * b.z + w * c.z) / sum;
-  return positiveOrNone(t);
+  return t;
 }
 
-float hitPlane(Ray ray, vec3 point, vec3 normal) {
+float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) { return positiveOrNone(triangleDistance(ray, p0, p1, p2)); }
+
+// Returns the distance along the line of the ray, which may be negative, or kNoHit if it is parallel to the plane.
+float planeDistance(Ray ray, vec3 point, vec3 normal) {
   precise float slope = dot(normal, ray.direction);
   if (slope == 0.0) return kNoHit;
   precise float t = dot(normal, point - ray.origin) / slope;
-  return positiveOrNone(t);
+  return t;
 }
+
+float hitPlane(Ray ray, vec3 point, vec3 normal) { return positiveOrNone(planeDistance(ray, point, normal)); }
 
 // Computes the distances at which the ray enters and exits each pair of a box's planes. A ray parallel to a pair is
 // between its planes either always or never.

@@ -1,5 +1,5 @@
 // Decides what hides a light from a shadow ray: docs/light-transport.md section 6. Surfaces that contain the light
-// within a margin do not. Only primitives that the host has marked (kFlagTouched) can contain one; a scene without any
+// within a margin do not. Of emitters that coincide, a ray sees the one whose distance is smaller, or the lower index. Only primitives that the host has marked (kFlagTouched) can contain one; a scene without any
 // compiles this file to a comparison of distances.
 #ifndef CANDELA_OCCLUSION_GLSL
 #define CANDELA_OCCLUSION_GLSL
@@ -29,9 +29,9 @@ bool triangleContains(vec3 p0, vec3 p1, vec3 p2, vec3 point) {
 }
 
 // Tests the face that the ray hits.
-bool boxContains(Ray ray, vec3 low, vec3 high, bool startsHere, vec3 point) {
+bool boxContains(Ray ray, vec3 low, vec3 high, float t, bool startsHere, vec3 point) {
   vec3 onFace = point;
-  vec3 normal = boxNormal(ray, low, high, startsHere, onFace);
+  vec3 normal = boxNormal(ray, low, high, t, startsHere, onFace);
   return isInPlane(point - onFace, normal, lightMargin(point, largest(max(abs(low), abs(high)))));
 }
 
@@ -72,7 +72,7 @@ bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool startsHere, RayEnd en
   vec3 row2 = uintBitsToFloat(rows[2].xyz);
   if (kHasSpheres && isKind(kind, kKindSphere)) return sphereContains(ray, row0.xyz, row0.w, row1.xyz, end, t);
   if (kHasTriangles && isKind(kind, kKindTriangle)) return triangleContains(row0.xyz, row1.xyz, row2, end.point);
-  if (kHasBoxes && isKind(kind, kKindBox)) return boxContains(ray, row0.xyz, row1.xyz, startsHere, end.point);
+  if (kHasBoxes && isKind(kind, kKindBox)) return boxContains(ray, row0.xyz, row1.xyz, t, startsHere, end.point);
   if (kHasCones && isKind(kind, kKindCone)) return coneContains(ray, row0.xyz, row0.w, row1.xyz, row2.x, end, t);
   if (kHasPlanes && isKind(kind, kKindPlane)) {
     return isInPlane(end.point - row0.xyz, row1.xyz, lightMargin(end.point, largest(abs(row0.xyz))));
@@ -80,9 +80,22 @@ bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool startsHere, RayEnd en
   return false;
 }
 
+// Returns whether a primitive of this kind and material emits.
+bool emits(uint kind) {
+  uint row = constants.firstMaterialRow + (kind >> kMaterialShift) * kMaterialRows;
+  return largest(sceneRowFloat(row + 2u).xyz) > 0.0;
+}
+
 // Returns whether a primitive other than the light, with these records, hides the light at the ray's end.
 bool rowsHide(Ray ray, uint slot, uvec4 rows[3], uint kind, RayEnd end) {
   float t = hitRows(ray, slot, rows, kind).t;
+  if (kHasCoincident && kHasSampledEmitters && (rows[2].w & kFlagCoincident) != 0u && end.light != kNoSlot) {
+    uvec4 light[3] = rowsOfSlot(end.light);
+    if (emits(rows[2].w) && emittersCoincide(rows, light)) {
+      float ofLight = distanceToRows(ray, end.light, light, light[2].w);
+      return t < ofLight || (t == ofLight && t < kNoHit && rows[1].w < light[1].w);
+    }
+  }
   return t < end.distance && !containsLight(ray, rows, kind, startsOn(ray, slot), end, t);
 }
 

@@ -123,7 +123,7 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   precise vec3 radiance = limitedContribution(path.throughput * weighed, path.depth);
   float distance = lit.distance;
   bool isFixed = (kHasPointLights || kHasPunctualLights) && lit.delta && light.kind != kLightDirectional;
-  Ray ray = shadowRayFrom(surface, lit.wi, isFixed, lit.point, distance);
+  Ray ray = shadowRayFrom(surface, lit.wi, transmitted, isFixed, lit.point, distance);
   shadow = ShadowRay(true, ray, RayEnd(distance, light.slot, lit.point), radiance);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
@@ -139,7 +139,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   bool kept = keepsSide(shading, direction, next.lobe == kLobeRefract);
   path.throughput *= next.weight;
   path.pdf = next.pdf;
-  path.ray = rayFrom(surface, direction);
+  path.ray = rayFrom(surface, direction, next.lobe == kLobeRefract);
   noteScattering(next, direction);
   // A value that is not finite must not end a path silently: the film counts it as a bad sample.
   if (!isFinite(dot(path.throughput, direction))) {

@@ -11,19 +11,23 @@ vec3 spawnOrigin(Surface surface, vec3 direction) {
   return offsetAlong(surface.position, surface.outward, direction);
 }
 
-uint spawnSlot(Surface surface, vec3 direction) {
-  return surface.slot | (dot(surface.outward, direction) < 0.0 ? kOriginInward : 0u);
+// `crosses`: the ray crosses the surface.
+uint spawnSlot(Surface surface, vec3 direction, bool crosses) {
+  uint slot = surface.slot | (dot(surface.outward, direction) < 0.0 ? kOriginInward : 0u);
+  if (!kHasCoincident || (surface.kind & kFlagCoincident) == 0u) return slot;
+  return slot | kOriginCoincident | surface.contact | (crosses ? kOriginCrosses : 0u);
 }
 
 // Spawns a ray from a surface.
-Ray rayFrom(Surface surface, vec3 direction) {
-  return makeRay(spawnOrigin(surface, direction), direction, spawnSlot(surface, direction));
+Ray rayFrom(Surface surface, vec3 direction, bool crosses) {
+  return makeRay(spawnOrigin(surface, direction), direction, spawnSlot(surface, direction, crosses));
 }
 
 // Spawns a ray from a surface in the direction wi. With `hasEnd`, it ends at the point `end`, whose distance from the
 // surface is `distance`: a ray whose origin is moved off the surface has another direction and distance
 // (docs/light-transport.md section 6).
-Ray shadowRayFrom(Surface surface, vec3 wi, bool hasEnd, vec3 end, inout float distance) {
+Ray shadowRayFrom(Surface surface, vec3 wi, bool crosses, bool hasEnd, vec3 end,
+                  inout float distance) {
   vec3 origin = spawnOrigin(surface, wi);
   precise vec3 direction = wi;
   if (kHasFlat && hasEnd && surface.flatSurface) {
@@ -34,7 +38,7 @@ Ray shadowRayFrom(Surface surface, vec3 wi, bool hasEnd, vec3 end, inout float d
       direction = toEnd / moved;
     }
   }
-  return makeRay(origin, direction, spawnSlot(surface, wi));
+  return makeRay(origin, direction, spawnSlot(surface, wi, crosses));
 }
 
 #endif

@@ -10,7 +10,7 @@ const float kNoHit = kLargestFloat;
 struct Ray {
   vec3 origin;
   vec3 direction;  // unit
-  uint originSlot; // slot of the origin primitive | kOriginInward, or kNoSlot
+  uint originSlot; // slot of the origin primitive and flags kOrigin..., or kNoSlot
   bvec2 along;     // the direction's largest component is x, or y; else it is z
   vec3 shear;      // coefficients of `sheared`; set if the scene has triangles
   uint opacityKey; // of the decisions which transparent triangles it hits; set if the scene has any
@@ -43,7 +43,7 @@ vec3 sheared(vec3 p, Ray ray) {
 }
 
 // Returns whether the primitive in this slot is the ray's origin primitive.
-bool startsOn(Ray ray, uint slot) { return (ray.originSlot & ~kOriginInward) == slot; }
+bool startsOn(Ray ray, uint slot) { return (ray.originSlot & kOriginSlotMask) == slot; }
 
 float positiveOrNone(float t) { return t > 0.0 ? t : kNoHit; }
 

@@ -42,6 +42,13 @@ vec4 sceneRowFloat(uint row) { return uintBitsToFloat(sceneRow(row)); }
 
 uint primitiveRow(uint slot) { return constants.firstPrimitiveRow + slot * kPrimitiveRows; }
 
+uvec4[3] rowsOfSlot(uint slot) {
+  uint row = primitiveRow(slot);
+  return uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
+}
+
+bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
+
 struct Light {
   float probability;
   uint kind;

@@ -14,6 +14,7 @@ struct Surface {
   uint kind;        // kind, flags and material
   uint light;       // index in the light table + 1; 0: not in the table
   uint index;       // primitive index in the scene
+  uint contact;     // kOriginBeyond or kOriginBack, if the ray hit it at once
   bool flatSurface; // the origin of rays that start here is offset
   vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
   vec3 colour;      // vertex colour; 1 if the primitive has none
@@ -24,6 +25,9 @@ struct Surface {
   vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
 };
 
+// Cosine of a vertex normal to the geometric normal below which rounding could decide on which side it is.
+const float kMinNormalCosine = 1.0 / 65536.0;
+
 void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
   uvec4 first = sceneRow(normalRow);
   vec3 n0 = uintBitsToFloat(first.xyz);
@@ -32,7 +36,8 @@ void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
   vec3 interpolated = (1.0 - weights.x - weights.y) * n0 + weights.x * n1 + weights.y * n2;
   float squared = dot(interpolated, interpolated);
   vec3 shading = squared > 0.0 ? interpolated * (1.0 / sqrt(squared)) : surface.outward;
-  surface.shading = dot(shading, surface.outward) < 0.0 ? -shading : shading;
+  float cosine = dot(shading, surface.outward);
+  surface.shading = abs(cosine) < kMinNormalCosine ? surface.outward : cosine < 0.0 ? -shading : shading;
   surface.light = first.w;
 }
 
@@ -70,6 +75,8 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.slot = slot;
   surface.kind = bits2.w;
   surface.index = bits1.w;
+  bool forth = (ray.originSlot & (kOriginCrosses | kOriginBack)) != 0u;
+  surface.contact = !kHasCoincident || t != kAtOnce ? 0u : forth ? kOriginBeyond : kOriginBack;
   surface.light = 0u;
   surface.outward = vec3(0.0, 0.0, 1.0);
   surface.flatSurface = true;
@@ -87,7 +94,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
     surface.flatSurface = false;
   }
   if (kHasBoxes && isKind(surface.kind, kKindBox)) {
-    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, startsOn(ray, slot), surface.position);
+    surface.outward = boxNormal(ray, row0.xyz, row1.xyz, t, startsOn(ray, slot), surface.position);
   }
   if (kHasCones && isKind(surface.kind, kKindCone)) {
     surface.outward = coneNormal(surface.position, row0.xyz, row0.w, row1.xyz, row2.x);

@@ -13,7 +13,7 @@ float openness(Surface surface, Normals normals, SampleKey key, inout Work work,
   precise vec3 direction = unit(frameAround(normals.shading) * sampleCosineHemisphere(numbers));
   if (dot(direction, normals.geometric) <= 0.0) return 0.0;
   counts.shadow += 1u;
-  Ray ray = rayFrom(surface, direction);
+  Ray ray = rayFrom(surface, direction, false);
   if (kHasTransparency) ray.opacityKey = opacityKey(key, 1u, true);
   bool blocked = traceAny(ray, RayEnd(constants.aoDistance, kNoSlot, kNoPoint), work);
   decisions.shadow = blocked ? kShadowOccluded : kShadowVisible;

@@ -66,13 +66,13 @@ bool followBranches(inout Tree tree, uint treeRow, Surface surface, Branches bra
   tree.node *= 2u;
   if (kHasDielectric && branches.refractedFactor > 0.0) {
     counts.refracted += 1u;
-    storePending(tree, treeRow, depthOf(tree.node), rayFrom(surface, branches.refracted),
+    storePending(tree, treeRow, depthOf(tree.node), rayFrom(surface, branches.refracted, true),
                  weight * branches.refractedFactor);
   }
   bool reflects = (kHasMirror || kHasDielectric) && branches.reflectedFactor > 0.0;
   if (reflects) {
     counts.reflected += 1u;
-    tree.ray = rayFrom(surface, branches.reflected);
+    tree.ray = rayFrom(surface, branches.reflected, false);
     tree.weight = weight * branches.reflectedFactor;
     return true;
   }

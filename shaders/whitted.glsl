@@ -88,7 +88,7 @@ vec3 lightShown(PointLight light, vec3 point, Surface surface, Normals normals, 
   bool faces = distance > 0.0 && dot(normals.shading, wi) > 0.0 && dot(normals.geometric, wi) > 0.0;
   shadow = kShadowNotTraced;
   if (!faces) return vec3(0.0);
-  Ray ray = shadowRayFrom(surface, wi, true, point, distance);
+  Ray ray = shadowRayFrom(surface, wi, false, true, point, distance);
   bool occluded = traceAny(ray, RayEnd(distance, kNoSlot, point), work);
   shadow = occluded ? kShadowOccluded : kShadowVisible;
   return occluded ? vec3(0.0) : light.colour * localColour(material, normals, wo, wi);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "host/core/errors.h"
@@ -52,6 +53,24 @@ Aabb padOutward(const ExactBounds& exact) {
           {-roundDown(-max.x), -roundDown(-max.y), -roundDown(-max.z)}};
 }
 
+float largestCoordinate(const Aabb& box) {
+  const glm::vec3 magnitudes = glm::max(glm::abs(box.min), glm::abs(box.max));
+  return std::max({magnitudes.x, magnitudes.y, magnitudes.z});
+}
+
+void padCoincident(const std::vector<bool>& coincident, SceneBounds& scene) {
+  if (coincident.empty()) return;
+  float reach = 0;
+  for (std::size_t i = 0; i < scene.finite.size(); ++i) {
+    if (coincident[scene.finite[i]]) reach = std::max(reach, largestCoordinate(scene.bounds[i]));
+  }
+  for (std::size_t i = 0; i < scene.finite.size(); ++i) {
+    if (!coincident[scene.finite[i]]) continue;
+    scene.bounds[i].min -= reach * kBoundsPad;
+    scene.bounds[i].max += reach * kBoundsPad;
+  }
+}
+
 }  // namespace
 
 std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive) {
@@ -66,7 +85,7 @@ std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Prim
   return bounds;
 }
 
-SceneBounds boundPrimitives(const scene::Scene& scene) {
+SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& coincident) {
   SceneBounds result;
   result.bounds.reserve(scene.primitives.size());
   result.finite.reserve(scene.primitives.size());
@@ -79,6 +98,7 @@ SceneBounds boundPrimitives(const scene::Scene& scene) {
     result.bounds.push_back(*bounds);
     result.finite.push_back(i);
   }
+  padCoincident(coincident, result);
   return result;
 }
 

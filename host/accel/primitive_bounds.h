@@ -56,7 +56,9 @@ struct SceneBounds {
   std::vector<std::uint32_t> finite;
   std::vector<std::uint32_t> infinite;
 };
-/// Throws FileError like primitiveBounds.
-SceneBounds boundPrimitives(const scene::Scene& scene);
+/// Throws FileError like primitiveBounds. `coincident`: surfaces that rays hit although rounding puts them before the
+/// ray's origin, because they coincide with the surface on which the ray starts (scene::Coincidences::coincident).
+/// Their boxes are padded further, by the pad of the largest of them. Empty: there are none.
+SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& coincident = {});
 
 }  // namespace candela::accel

@@ -14,6 +14,7 @@
 #include "host/flatten/flatten_sections.h"
 #include "host/flatten/light_table.h"
 #include "host/flatten/touched_primitives.h"
+#include "host/scene/coincidence.h"
 
 namespace candela::flatten {
 namespace {
@@ -82,7 +83,8 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   setConstants(scene, settings, flat.constants);
   flat.features = featuresOf(scene, settings.image.integrator);
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
-  const accel::SceneBounds bounds = accel::boundPrimitives(scene);
+  const scene::Coincidences coincidences = scene::findCoincidences(scene);
+  const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
   const bool small = isSmall(scene, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
   if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
@@ -93,9 +95,11 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
-  const std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, settings.image));
-  noteLights(table, touched, flat.features);
-  appendPrimitives(scene, order, table, touched, settings.image.layers.has(image::Layer::uv), flat);
+  const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
+                             coincidenceFlags(scene, coincidences.coincident, settings.image.integrator)};
+  noteLights(table, marks.touched, flat.features);
+  flat.features.coincident = coincidences.any();
+  appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
   if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
   const SurfaceOrder surfaces = orderSurfaces(scene);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 #include "host/scene/shape.h"
 
@@ -18,11 +20,13 @@ glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double 
   return glm::dvec3(glm::vec3(centre + radius * direction));
 }
 
+bool isLess(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
 std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& context, std::uint32_t kindAndFlags) {
   const scene::Primitive& primitive = scene.primitives[context.primitive];
   const std::uint32_t touched = context.touched ? gpu::kFlagTouched : 0;
   const std::uint32_t opaque = scene.materials[primitive.material].opaque ? gpu::kFlagOpaque : 0;
-  return kindAndFlags | touched | opaque | primitive.material << gpu::kMaterialShift;
+  return kindAndFlags | touched | opaque | context.coincidence | primitive.material << gpu::kMaterialShift;
 }
 
 void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
@@ -52,8 +56,12 @@ void appendShape(const scene::Box& box, const scene::Scene& scene, const Primiti
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindBox)});
 }
 
-void appendShape(const scene::Cone& cone, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
-                 Rows&) {
+// Equal cones with their ends in either order have equal distances if their records are equal.
+void appendShape(scene::Cone cone, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows, Rows&) {
+  if (context.coincidence != 0 && isLess(cone.apex, cone.base)) {
+    std::swap(cone.base, cone.apex);
+    std::swap(cone.baseRadius, cone.apexRadius);
+  }
   rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
   rows.push_back(row(glm::dvec3(cone.apex), context.primitive));
   rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, context, gpu::kKindCone)});
@@ -87,7 +95,7 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
 }
 
 void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
-                      std::span<const LightEntry> table, const std::vector<bool>& touched, bool keepsTexCoords,
+                      std::span<const LightEntry> table, const PrimitiveMarks& marks, bool keepsTexCoords,
                       FlatScene& flat) {
   std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
   for (std::uint32_t i = 0; i < table.size(); ++i) {
@@ -103,7 +111,8 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   for (const std::uint32_t primitive : order) {
     const PrimitiveContext context{.primitive = primitive,
                                    .light = lightOf[primitive],
-                                   .touched = touched[primitive],
+                                   .touched = marks.touched[primitive],
+                                   .coincidence = marks.coincidence[primitive],
                                    .keepsTexCoords = keepsTexCoords};
     appendPrimitive(scene, context, flat.rows, attributes);
   }

@@ -13,11 +13,23 @@ namespace candela::flatten {
 
 /// Data about a primitive that its entry in the scene does not contain.
 struct PrimitiveContext {
-  std::uint32_t primitive = 0;  ///< index in Scene::primitives
-  std::uint32_t light = 0;      ///< index in the light table + 1; 0: not in it
-  bool touched = false;         ///< the surface may contain a light: touched_primitives.h
-  bool keepsTexCoords = false;  ///< even if no texture needs the texture coordinates
+  std::uint32_t primitive = 0;    ///< index in Scene::primitives
+  std::uint32_t light = 0;        ///< index in the light table + 1; 0: not in it
+  bool touched = false;           ///< the surface may contain a light: touched_primitives.h
+  std::uint32_t coincidence = 0;  ///< flags of a surface with which another one may coincide
+  bool keepsTexCoords = false;    ///< even if no texture needs the texture coordinates
 };
+
+/// Marks of primitives that depend on others.
+struct PrimitiveMarks {
+  std::vector<bool> touched;               ///< result of touchedPrimitives()
+  std::vector<std::uint32_t> coincidence;  ///< result of coincidenceFlags()
+};
+
+/// Returns for each primitive that is `coincident` kFlagCoincident and the flags that tell how rays cross it, and 0 for
+/// the others.
+std::vector<std::uint32_t> coincidenceFlags(const scene::Scene& scene, const std::vector<bool>& coincident,
+                                            render::Integrator integrator);
 
 /// Sets the parts of a sphere's first two records that depend on the eye: the anchor, and the unit vector from the
 /// centre to the anchor.
@@ -35,10 +47,9 @@ void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context
                       std::uint32_t flags, Rows& rows);
 
 /// Appends the records of the primitives in this order, followed by the attributes of their vertices, and sets the
-/// constants that refer to them. `table` is the light table, `touched` the result of touchedPrimitives(), and
-/// `keepsTexCoords` as in PrimitiveContext.
+/// constants that refer to them. `table` is the light table, and `keepsTexCoords` as in PrimitiveContext.
 void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
-                      std::span<const LightEntry> table, const std::vector<bool>& touched, bool keepsTexCoords,
+                      std::span<const LightEntry> table, const PrimitiveMarks& marks, bool keepsTexCoords,
                       FlatScene& flat);
 
 /// Copies the records of slots to the uniform buffer.

@@ -44,6 +44,11 @@ Lobes lobesFor(render::Integrator integrator, const scene::Material& material) {
   return integrator == render::Integrator::whitted ? lobesOf(material.whitted.value()) : lobesOf(material);
 }
 
+bool transmits(render::Integrator integrator, const scene::Material& material) {
+  const bool refracts = material.surface && material.surface->transmissionWeight > 0;
+  return refracts || lobesFor(integrator, material).dielectric > 0;
+}
+
 glm::dvec3 ownRadiance(render::Integrator integrator, const scene::Material& material) {
   const glm::dvec3 emission(material.emission);
   if (integrator != render::Integrator::whitted) return emission;

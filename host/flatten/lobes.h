@@ -21,6 +21,8 @@ struct Lobes {
 
 /// Returns the lobes. For the Whitted tracer, the weights are Kd, Ks, and 1 for glass; a mirror has Ks as its factor.
 Lobes lobesFor(render::Integrator integrator, const scene::Material& material);
+/// Returns whether rays may cross a surface of the material.
+bool transmits(render::Integrator integrator, const scene::Material& material);
 /// Returns the radiance of a surface without any light: its emission and, with the Whitted tracer, its ambient term.
 glm::dvec3 ownRadiance(render::Integrator integrator, const scene::Material& material);
 

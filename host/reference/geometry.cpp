@@ -2,22 +2,15 @@
 #include "host/reference/geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 #include "host/reference/rounding.h"
 #include "host/scene/shape.h"
 
 namespace candela::reference {
 namespace {
-
-// Returns whether a ray starts on another primitive in the plane of this one. Rounding has moved its origin to either
-// side of the plane, so that the ray may seem to hit it at a distance that should be 0.
-bool startsInPlane(const Ray& ray, const dvec3& point, const dvec3& normal) {
-  constexpr double kRounding = 0x1p-40;  // of coordinates, for hits that are far from the origins of their rays
-  if (ray.originPrimitive == kNoPrimitive) return false;
-  const double coordinates = std::max(maxNorm(point), maxNorm(ray.origin));
-  return std::abs(dot(point - ray.origin, normal)) <= kRounding * coordinates * maxNorm(normal);
-}
 
 // Returns six times the signed volume that a ray's direction spans with both ends of an edge, as seen from the ray's
 // origin. Its sign is the side of the edge on which the ray passes (Pluecker's inner product). For the reversed edge,
@@ -35,6 +28,23 @@ struct Prepare {
   Shape operator()(const scene::Plane& plane) const { return PlaneShape(plane); }
 };
 
+// Returns whether a ray that stays on its side starts in the plane of another primitive than its origin's. Rounding has
+// moved its origin to either side of the plane, so that the ray may seem to hit it at a distance that should be 0.
+bool startsInPlane(const Ray& ray, const dvec3& point, const dvec3& normal) {
+  constexpr double kRounding = 0x1p-40;  // of coordinates, for hits that are far from the origins of their rays
+  if (ray.originPrimitive == kNoPrimitive || ray.crosses) return false;
+  const double coordinates = std::max(maxNorm(point), maxNorm(ray.origin));
+  return std::abs(dot(point - ray.origin, normal)) <= kRounding * coordinates * maxNorm(normal);
+}
+
+// Returns the normal of the triangle with its vertices in lexicographical order, so that no order of them rounds it
+// differently.
+dvec3 normalOfSorted(std::array<dvec3, 3> corners) {
+  std::ranges::sort(corners,
+                    [](const dvec3& a, const dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  return cross(corners[1] - corners[0], corners[2] - corners[0]);
+}
+
 }  // namespace
 
 TriangleShape::TriangleShape(const scene::Triangle& triangle)
@@ -42,19 +52,26 @@ TriangleShape::TriangleShape(const scene::Triangle& triangle)
       corner1(triangle.p[1]),
       corner2(triangle.p[2]),
       edge1(corner1 - corner),
-      edge2(corner2 - corner) {}
+      edge2(corner2 - corner),
+      sortedNormal_(normalOfSorted({corner, corner1, corner2})) {}
 
 double TriangleShape::distance(const Ray& ray) const {
+  const double t = lineDistance(ray);
+  return startsInPlane(ray, corner, sortedNormal_) ? kNoHit : positiveOrNoHit(t);
+}
+
+double TriangleShape::lineDistance(const Ray& ray) const {
   const dvec3 a = corner - ray.origin;
   const dvec3 b = corner1 - ray.origin;
   const dvec3 c = corner2 - ray.origin;
   const auto [min, max] = std::minmax(
       {sideOfEdge(ray.direction, a, b), sideOfEdge(ray.direction, b, c), sideOfEdge(ray.direction, c, a)});
   if (min < 0 && max > 0) return kNoHit;
-  const dvec3 normal = areaNormal();
-  const double towards = dot(ray.direction, normal);
-  if (towards == 0 || startsInPlane(ray, corner, normal)) return kNoHit;
-  return positiveOrNoHit(dot(a, normal) / towards);
+  const double towards = dot(ray.direction, sortedNormal_);
+  if (towards == 0) return kNoHit;
+  // The vertex that comes first in lexicographical order stands for the plane.
+  const auto less = [](const dvec3& p, const dvec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
+  return dot(std::min({a, b, c}, less), sortedNormal_) / towards;
 }
 
 dvec2 TriangleShape::barycentrics(const Ray& ray) const {
@@ -84,21 +101,30 @@ BoxShape::Crossings BoxShape::crossings(const Ray& ray) const {
   return result;
 }
 
-double BoxShape::distance(const Ray& ray, bool startsHere) const {
-  if (startsHere && !(dot(ray.direction, ray.originNormal) < 0)) return kNoHit;
-  const auto [entry, exit, entryAxis, exitAxis] = crossings(ray);
-  if (startsHere) return positiveOrNoHit(exit);
-  if (entry > exit) return kNoHit;
-  return positiveOrNoHit(entry > 0 ? entry : exit);
+dvec3 BoxShape::Crossings::entryNormal(const Ray& ray) const {
+  dvec3 normal(0);
+  normal[entryAxis] = std::copysign(1.0, -ray.direction[entryAxis]);
+  return normal;
 }
 
-dvec3 BoxShape::normal(const Ray& ray, bool startsHere) const {
-  const auto [entry, exit, entryAxis, exitAxis] = crossings(ray);
-  const bool entered = !startsHere && entry > 0;
-  const int axis = entered ? entryAxis : exitAxis;
-  dvec3 result(0);
-  result[axis] = std::copysign(1.0, entered ? -ray.direction[axis] : ray.direction[axis]);
-  return result;
+dvec3 BoxShape::Crossings::exitNormal(const Ray& ray) const {
+  dvec3 normal(0);
+  normal[exitAxis] = std::copysign(1.0, ray.direction[exitAxis]);
+  return normal;
+}
+
+double BoxShape::distance(const Ray& ray, bool startsHere) const {
+  if (startsHere && !(dot(ray.direction, ray.originNormal) < 0)) return kNoHit;
+  const Crossings line = crossings(ray);
+  if (startsHere) return positiveOrNoHit(line.exit);
+  if (line.misses()) return kNoHit;
+  return positiveOrNoHit(line.entry > 0 ? line.entry : line.exit);
+}
+
+dvec3 BoxShape::normal(const Ray& ray, double distance, bool startsHere) const {
+  const Crossings line = crossings(ray);
+  const bool entered = !startsHere && std::abs(distance - line.entry) <= std::abs(distance - line.exit);
+  return entered ? line.entryNormal(ray) : line.exitNormal(ray);
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -107,9 +133,12 @@ PlaneShape::PlaneShape(const scene::Plane& plane)
     : point(plane.p[0]), unitNormal(normalize(cross(dvec3(plane.p[1]) - point, dvec3(plane.p[2]) - point))) {}
 
 double PlaneShape::distance(const Ray& ray) const {
+  return startsInPlane(ray, point, unitNormal) ? kNoHit : positiveOrNoHit(lineDistance(ray));
+}
+
+double PlaneShape::lineDistance(const Ray& ray) const {
   const double towards = dot(ray.direction, unitNormal);
-  if (towards == 0 || startsInPlane(ray, point, unitNormal)) return kNoHit;
-  return positiveOrNoHit(dot(point - ray.origin, unitNormal) / towards);
+  return towards == 0 ? kNoHit : dot(point - ray.origin, unitNormal) / towards;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -33,12 +33,18 @@ struct TriangleShape {
   dvec3 edge2;  ///< from corner to corner2
 
   explicit TriangleShape(const scene::Triangle& triangle);
-  /// Watertight: no ray passes between triangles that share an edge.
+  /// Watertight: no ray passes between triangles that share an edge. Equal for equal triangles in any order of
+  /// vertices.
   double distance(const Ray& ray) const;
+  /// Returns the distance along the line of the ray, which may be negative; kNoHit if it misses the triangle.
+  double lineDistance(const Ray& ray) const;
   /// Returns (b1, b2) of the point at which the ray intersects the triangle's plane.
   dvec2 barycentrics(const Ray& ray) const;
   /// Returns the normal, with twice the area as its length, on the side from which the corners are counter-clockwise.
   dvec3 areaNormal() const { return cross(edge1, edge2); }
+
+ private:
+  dvec3 sortedNormal_;  ///< parallel to areaNormal(), and equal for all orders of the vertices
 };
 
 struct BoxShape {
@@ -47,22 +53,25 @@ struct BoxShape {
 
   explicit BoxShape(const scene::Box& box);
   double distance(const Ray& ray, bool startsHere) const;
-  /// Outward unit normal of the face that `distance` hit.
-  dvec3 normal(const Ray& ray, bool startsHere) const;
+  /// Outward unit normal of the face that the ray hits at `distance`.
+  dvec3 normal(const Ray& ray, double distance, bool startsHere) const;
 
- private:
   /// The distances at which a line enters and exits the box (into > out: it misses), and the axes of the faces there.
   struct Crossings {
     double entry = -kNoHit;
     double exit = kNoHit;
     int entryAxis = 0;
     int exitAxis = 0;
+
+    bool misses() const { return entry > exit; }
+    dvec3 entryNormal(const Ray& ray) const;
+    dvec3 exitNormal(const Ray& ray) const;
   };
   Crossings crossings(const Ray& ray) const;
 };
 
 struct ConeShape {
-  dvec3 base;
+  dvec3 base;  ///< of the two ends the first one in lexicographical order
   dvec3 axis;  ///< unit, from base to apex
   double height;
   double baseRadius;
@@ -72,6 +81,10 @@ struct ConeShape {
   double distance(const Ray& ray, bool startsHere) const;
   /// Unit normal that points away from the axis.
   dvec3 normal(const dvec3& point) const;
+
+ private:
+  struct Sorted {};
+  ConeShape(const scene::Cone& cone, Sorted);
 };
 
 struct PlaneShape {
@@ -80,6 +93,8 @@ struct PlaneShape {
 
   explicit PlaneShape(const scene::Plane& plane);
   double distance(const Ray& ray) const;
+  /// Returns the distance along the line of the ray, which may be negative; kNoHit if it is parallel to the plane.
+  double lineDistance(const Ray& ray) const;
 };
 
 using Shape = std::variant<SphereShape, TriangleShape, BoxShape, ConeShape, PlaneShape>;

@@ -24,8 +24,8 @@ bool LightMargin::contains(const PlaneShape& plane, double, bool) const {
   return isIn(plane.point, plane.unitNormal, maxNorm(plane.point));
 }
 
-bool LightMargin::contains(const BoxShape& box, double, bool startsHere) const {
-  const dvec3 normal = box.normal(ray_, startsHere);
+bool LightMargin::contains(const BoxShape& box, double t, bool startsHere) const {
+  const dvec3 normal = box.normal(ray_, t, startsHere);
   const bool isUpper = normal.x + normal.y + normal.z > 0;
   return isIn(isUpper ? box.max : box.min, normal, std::max(maxNorm(box.min), maxNorm(box.max)));
 }

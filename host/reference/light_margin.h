@@ -30,7 +30,7 @@ class LightMargin {
   /// ray starts on the shape.
   bool contains(const TriangleShape& triangle, double, bool) const;
   bool contains(const PlaneShape& plane, double, bool) const;
-  bool contains(const BoxShape& box, double, bool startsHere) const;
+  bool contains(const BoxShape& box, double t, bool startsHere) const;
   bool contains(const SphereShape& sphere, double t, bool) const;
   bool contains(const ConeShape& cone, double t, bool) const;
 

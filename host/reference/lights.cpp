@@ -8,6 +8,7 @@
 #include "host/reference/light_flux.h"
 #include "host/reference/sampling.h"
 #include "host/reference/textured_material.h"
+#include "host/scene/coincidence.h"
 
 namespace candela::reference {
 namespace {
@@ -39,6 +40,7 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
     const bool shines = std::ranges::any_of(weights, [](std::uint64_t weight) { return weight > 0; });
     entryOfEnvironment_ = add(EnvironmentLight(shines));
   }
+  noteCopies(scene);
   const std::vector<double> groups = groupProbabilities(scene);
   raisePointWeights();
   computeThresholds(groups);
@@ -54,6 +56,14 @@ void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primiti
     const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided,
                               meanEmissionTexel(scene, emitter));
     if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
+  }
+}
+
+void LightTable::noteCopies(const scene::Scene& scene) {
+  if (std::ranges::all_of(entryOfPrimitive_, [](std::uint32_t entry) { return entry == kNoEntry; })) return;
+  firstCopies_ = scene::findCoincidences(scene).firstCopy;
+  for (std::uint32_t i = 0; i < entryOfPrimitive_.size(); ++i) {
+    if (entryOfPrimitive_[i] != kNoEntry) entries_[entryOfPrimitive_[i]].firstCopy = firstCopies_[i];
   }
 }
 
@@ -125,6 +135,9 @@ LightChoice LightTable::choose(std::uint32_t word) const {
 }
 
 std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const {
+  const std::uint32_t copy = entries_[entry].firstCopy;
+  const bool isCopy = copy != kNoEntry && copy == firstCopies_[surface.primitive];
+  if (isCopy && entryOfPrimitive_[surface.primitive] != entry) return std::nullopt;
   return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
 }
 

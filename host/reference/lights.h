@@ -28,7 +28,7 @@ class LightTable {
 
   /// `word` is the random number of the light choice. Requires canChoose().
   LightChoice choose(std::uint32_t word) const;
-  /// Returns nothing if the light does not illuminate `surface` with these numbers.
+  /// Returns nothing if the light does not illuminate `surface` with these numbers, or is a copy of its primitive.
   std::optional<LightSample> sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const;
   /// Returns the density, per solid angle and times the probability of the choice, with which light sampling chooses
   /// the hit of `ray` on `surface`; 0 if the primitive is not in the table.
@@ -39,13 +39,17 @@ class LightTable {
   double environmentProbability() const;
 
  private:
+  static constexpr std::uint32_t kNoEntry = 0xffffffffu;
+
   struct Entry {
     Light light;
     double weight;
+    std::uint32_t firstCopy = kNoEntry;  ///< of an emitter: lowest index of a primitive of the same shape
   };
-  static constexpr std::uint32_t kNoEntry = 0xffffffffu;
 
   void collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
+  /// Notes which primitives have the shapes of the emitters.
+  void noteCopies(const scene::Scene& scene);
   /// Returns the index of the entry.
   std::uint32_t add(const Light& light);
   /// Sums of the entries' weights.
@@ -62,6 +66,7 @@ class LightTable {
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> thresholds_;
   std::vector<std::uint32_t> entryOfPrimitive_;
+  std::vector<std::uint32_t> firstCopies_;  ///< scene::Coincidences::firstCopy; empty if no primitive emits
   std::uint32_t entryOfEnvironment_ = kNoEntry;
 };
 

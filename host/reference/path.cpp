@@ -58,7 +58,10 @@ struct PathTracer::Vertex : ShadingFrame {
     const double cosine = dot(wi, surface.facingNormal);
     return side == Side::reflection ? cosine > 0 : cosine < 0;
   }
-  Ray rayTowards(const dvec3& wi) const { return {surface.position, wi, surface.primitive, surface.outwardNormal}; }
+  Ray rayTowards(const dvec3& wi, Side side) const {
+    return {surface.position, wi, surface.primitive, surface.outwardNormal, 0, side == Side::transmission,
+            surface.contact};
+  }
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -134,7 +137,7 @@ dvec3 PathTracer::tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counte
     if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
 
     if (depth > settings_.image.rouletteStart && !survivesRoulette(beta, u, notes, rounding)) return radiance;
-    ray = vertex.rayTowards(next.wi);
+    ray = vertex.rayTowards(next.wi, next.lobe == render::Lobe::refract ? Side::transmission : Side::reflection);
     pdf = next.pdf;
     ++counters.bounceRays;
   }
@@ -230,7 +233,7 @@ dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volum
 
   ++counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  Ray shadowRay = vertex.rayTowards(light->wi);
+  Ray shadowRay = vertex.rayTowards(light->wi, side);
   shadowRay.opacityKey = opacityKeyOf(u.numbers, u.depth, true);
   const bool occluded = tracing().isOccluded(shadowRay, light->end(), counters, rounding);
   notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);

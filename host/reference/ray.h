@@ -11,6 +11,13 @@ using glm::dvec3;
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
+/// How a ray has hit its origin primitive: docs/light-transport.md section 4, coincident surfaces.
+enum class Contact : std::uint8_t {
+  none,    ///< at a distance
+  beyond,  ///< at once, beyond a surface that coincides with it and that the ray crossed
+  back,    ///< at once, on the way back
+};
+
 /// `direction` is a unit vector. A ray from a surface stores its origin primitive (docs/light-transport.md section 4);
 /// `originNormal` is the normal there in the primitive's own orientation, which boxes need.
 struct Ray {
@@ -19,6 +26,9 @@ struct Ray {
   std::uint32_t originPrimitive = kNoPrimitive;
   dvec3 originNormal{0};
   std::uint32_t opacityKey = 0;  ///< of the decisions which transparent triangles it hits
+  bool crosses = false;  ///< the ray crosses the surface on which it starts; else it stays on the side of the ray
+                         ///< before it
+  Contact contact = Contact::none;
 
   dvec3 at(double distance) const { return origin + distance * direction; }
 };

@@ -8,6 +8,23 @@
 
 namespace candela::reference {
 
+namespace {
+
+// Returns whether an error of a hit's position is so large in comparison with a triangle that it makes the barycentric
+// coordinates, and with them the vertex normals and textures, meaningless. What replicas show is then not what a device
+// shows, so that it must count as undecidable.
+bool isLostIn(const scene::Scene& scene, std::uint32_t index, double error) {
+  constexpr double kLost = 0.25;  // of the smallest height of the triangle
+  const scene::Primitive& primitive = scene.primitives[index];
+  if (primitive.kind != scene::PrimitiveKind::triangle) return false;
+  const TriangleShape triangle(triangleOf(scene, primitive));
+  const double longest = std::max(
+      {length(triangle.edge1), length(triangle.edge2), length(triangle.edge2 - triangle.edge1)});
+  return error * longest > kLost * length(triangle.areaNormal());
+}
+
+}  // namespace
+
 Rounding::Rounding(std::uint64_t key, std::uint32_t replica)
     : records_(true), perturbs_(replica > 0), key_(splitMix(key + replica * kSplitMixStep)), counter_(key_) {}
 
@@ -63,6 +80,7 @@ Ray Rounding::cameraRay(Ray ray, bool originVaries) {
 Surface Rounding::surfaceAt(const scene::Scene& scene, Ray ray, const Hit& hit) {
   if (!perturbs_) return reference::surfaceAt(scene, ray, hit);
   const double scale = std::max({maxNorm(ray.origin), maxNorm(ray.at(hit.distance)), hit.distance});
+  if (isLostIn(scene, hit.primitive, kRoundingBounds.position * kRoundoff * scale)) decide(key_);
   ray.origin = moved(ray.origin, kRoundingBounds.position, scale);
   Surface surface = reference::surfaceAt(scene, ray, hit);
   const dvec3 error = kRoundingBounds.normal * kRoundoff * signs();

@@ -2,8 +2,10 @@
 #include "host/reference/surface.h"
 
 #include <array>
+#include <cmath>
 #include <optional>
 
+#include "host/reference/coincidence.h"
 #include "host/reference/geometry.h"
 
 namespace candela::reference {
@@ -17,7 +19,7 @@ struct OutwardNormal {
 
   dvec3 operator()(const SphereShape& sphere) const { return sphere.normal(ray.at(distance)); }
   dvec3 operator()(const TriangleShape& triangle) const { return normalize(triangle.areaNormal()); }
-  dvec3 operator()(const BoxShape& box) const { return box.normal(ray, startsHere); }
+  dvec3 operator()(const BoxShape& box) const { return box.normal(ray, distance, startsHere); }
   dvec3 operator()(const ConeShape& cone) const { return cone.normal(ray.at(distance)); }
   dvec3 operator()(const PlaneShape& plane) const { return plane.unitNormal; }
 };
@@ -55,12 +57,17 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   surface.smoothNormal = surface.outwardNormal;
   surface.primitive = hit.primitive;
   surface.material = primitive.material;
+  if (isAtOnce(hit.distance)) {
+    surface.contact = ray.crosses || ray.contact == Contact::back ? Contact::beyond : Contact::back;
+  }
 
   const std::optional<dvec2> b = barycentricsOf(scene, ray, primitive);
   if (!b) return surface;
   const dvec3 mean = interpolatedNormal(scene, primitive, *b);
-  if (mean != dvec3(0)) {
-    surface.smoothNormal = normalize(dot(mean, surface.outwardNormal) < 0 ? -mean : mean);
+  constexpr double kMinCosine = 0x1p-16;  // so that rounding does not decide on which side a normal is
+  const double height = dot(mean, surface.outwardNormal);
+  if (std::abs(height) > kMinCosine * length(mean)) {
+    surface.smoothNormal = normalize(height < 0 ? -mean : mean);
     const dvec3 facing = surface.fromOutside ? surface.smoothNormal : -surface.smoothNormal;
     if (dot(facing, ray.direction) < 0) surface.shadingNormal = facing;
   }

@@ -20,6 +20,7 @@ struct Surface {
   glm::dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
   dvec3 anisotropyDirection{0};      ///< direction in which the material is rougher; 0: none
   bool isMapped = false;             ///< shadingNormal is that of a normal map, and the ray may arrive below it
+  Contact contact = Contact::none;   ///< of the rays that start here
   double facetNumber = 0;            ///< the random number that chooses a facet of the normal map
 };
 

@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "host/reference/coincidence.h"
 #include "host/reference/opacity.h"
+#include "host/scene/coincidence.h"
 
 namespace candela::reference {
 namespace {
@@ -36,8 +38,9 @@ bool intersects(const Bounds& box, const dvec3& origin, const dvec3& inverse, do
   return entry <= exit * kSlack && entry <= limit * kSlack;
 }
 
-// Rays of replicas are displaced, by far less than this, and may hit points just outside of a primitive's box.
-void padForReplicas(std::vector<Bounds>& boxes, const dvec3& eye) {
+// Rays of replicas are displaced, and rays that cross a surface hit what coincides with it. Both may hit points outside
+// of a primitive's box, by far less than this.
+void pad(std::vector<Bounds>& boxes, const dvec3& eye) {
   constexpr double kPadding = 0x1p-16;
   dvec3 largest = glm::abs(eye);
   for (const Bounds& box : boxes) largest = glm::max(largest, glm::max(glm::abs(box.min), glm::abs(box.max)));
@@ -50,21 +53,60 @@ bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
          TriangleShape(triangleOf(scene, primitive)).areaNormal() != dvec3(0);
 }
 
+bool transmits(const scene::Material& material, bool whitted) {
+  if (whitted) return material.whitted && material.whitted->kind == scene::WhittedKind::glass;
+  return material.dielectric || (material.surface && material.surface->transmissionWeight > 0);
+}
+
 // Returns the distance at which a ray hits a shape. A flat one-sided shape is not hit from its back.
 struct HitDistance {
   const Ray& ray;
   bool startsHere;
   bool oneSided;
+  const Shape* origin;   // of another primitive, on which the ray starts
+  bool passesSameSide;   // a ray that starts on a surface that coincides with this one passes it: on the side on which
+  bool passesOtherSide;  // it entered or exited its origin primitive, and on the opposite side
 
-  double operator()(const SphereShape& sphere) const { return sphere.distance(ray, startsHere); }
-  double operator()(const BoxShape& box) const { return box.distance(ray, startsHere); }
-  double operator()(const ConeShape& cone) const { return cone.distance(ray, startsHere); }
-  double operator()(const TriangleShape& triangle) const {
-    return isPassed(oneSided ? triangle.areaNormal() : dvec3(0)) ? kNoHit : triangle.distance(ray);
+  double operator()(const SphereShape& sphere) const {
+    if (!origin || !isSame(*origin, sphere)) return sphere.distance(ray, startsHere);
+    const bool isHit = sphere.radius > 0 || dot(ray.direction, ray.at(0) - sphere.centre) > 0;
+    const bool isSameSide = std::get<SphereShape>(*origin).radius == sphere.radius;
+    return passes(isSameSide) || !isHit ? sphere.distance(ray, true) : kAtOnce;
   }
-  double operator()(const PlaneShape& plane) const { return isPassed(plane.unitNormal) ? kNoHit : plane.distance(ray); }
+  double operator()(const ConeShape& cone) const {
+    if (!origin || !isSame(*origin, cone)) return cone.distance(ray, startsHere);
+    return passes(true) ? cone.distance(ray, true) : kAtOnce;
+  }
+  double operator()(const BoxShape& box) const {
+    if (!origin) return box.distance(ray, startsHere);
+    if (isSame(*origin, box)) return passes(true) ? box.distance(ray, true) : kAtOnce;
+    const BoxShape::Crossings line = box.crossings(ray);
+    if (line.misses()) return kNoHit;
+    const FlatSurface entered(box, line.entryNormal(ray));
+    const FlatSurface exited(box, line.exitNormal(ray));
+    if (isInPlaneOfOrigin(exited)) return passes(isSameSide(exited.normal)) ? kNoHit : kAtOnce;
+    if (isInPlaneOfOrigin(entered)) return passes(isSameSide(entered.normal)) ? positiveOrNoHit(line.exit) : kAtOnce;
+    return positiveOrNoHit(line.entry > 0 ? line.entry : line.exit);
+  }
+  double operator()(const TriangleShape& triangle) const { return flatDistance(triangle, triangle.areaNormal()); }
+  double operator()(const PlaneShape& plane) const { return flatDistance(plane, plane.unitNormal); }
 
-  bool isPassed(const dvec3& normal) const { return startsHere || (oneSided && dot(ray.direction, normal) > 0); }
+  template <class Flat>
+  double flatDistance(const Flat& shape, const dvec3& normal) const {
+    if (startsHere || (oneSided && dot(ray.direction, normal) > 0)) return kNoHit;
+    const bool isInPlane = origin && shape.lineDistance(ray) != kNoHit && isInPlaneOfOrigin(FlatSurface(shape));
+    if (!isInPlane) return shape.distance(ray);
+    return passes(isSameSide(normal)) ? kNoHit : kAtOnce;
+  }
+
+  bool isInPlaneOfOrigin(const FlatSurface& surface) const {
+    const std::optional<FlatSurface> start = flatOrigin(*origin, ray);
+    return start && areCoplanar(*start, surface);
+  }
+  bool isSameSide(const dvec3& normal) const {
+    return (dot(ray.direction, normal) < 0) == (dot(ray.direction, ray.originNormal) < 0);
+  }
+  bool passes(bool isSameSide) const { return isSameSide ? passesSameSide : passesOtherSide; }
 };
 
 }  // namespace
@@ -99,13 +141,16 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     (bounds ? bounded : unbounded).push_back(i);
     if (bounds) boxes.push_back(*bounds);
   }
-  if (tracesReplicas) padForReplicas(boxes, eye_);
+  const bool whitted = settings.image.integrator == render::Integrator::whitted;
+  const auto isCrossed = [&](const scene::Material& material) { return transmits(material, whitted); };
+  if (tracesReplicas || std::ranges::any_of(scene.materials, isCrossed)) pad(boxes, eye_);
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.image.oneSided && material.opaque);
   };
 
   items_.reserve(scene.primitives.size());
+  itemOf_.resize(scene.primitives.size());
   const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint ||
                               bounded.size() > kBruteForceLimit;
   if (accel == render::AccelKind::bvh && wantsHierarchy) {
@@ -117,7 +162,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
-  if (tracesReplicas) findReaches();
+  if (tracesReplicas) prepareReplicas();
 }
 
 void Tracing::setEye(const dvec3& eye) {
@@ -128,17 +173,39 @@ void Tracing::setEye(const dvec3& eye) {
   }
 }
 
-void Tracing::findReaches() {
+void Tracing::prepareReplicas() {
+  const std::vector<std::uint32_t> firstCopy = scene::findCoincidences(*scene_).firstCopy;
+  for (Item& item : items_) item.firstCopy = firstCopy[item.primitive];
   for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye_));
 }
 
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided) {
   const scene::Primitive& primitive = scene.primitives[index];
-  items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), index});
+  const scene::Material& material = scene.materials[primitive.material];
+  const bool thinWalled = material.surface && !material.surface->hasVolume();
+  const bool whitted = settings_.image.integrator == render::Integrator::whitted;
+  itemOf_[index] = static_cast<std::uint32_t>(items_.size());
+  items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), isEmissive(material),
+                    transmits(material, whitted), thinWalled, primitive.material, index, index});
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {
-  return std::visit(HitDistance{ray, item.primitive == ray.originPrimitive, item.oneSided}, item.shape);
+  const bool startsHere = item.primitive == ray.originPrimitive;
+  const bool startsElsewhere = !startsHere && ray.originPrimitive != kNoPrimitive;
+  const Item* const origin = startsElsewhere ? &items_[itemOf_[ray.originPrimitive]] : nullptr;
+  const bool isContinued = origin && item.transmits && item.material == origin->material;
+  bool passesSameSide = true;
+  bool passesOtherSide = true;
+  if (origin && ray.crosses && ray.contact != Contact::back) {
+    const bool isBehind = item.transmits && item.primitive < origin->primitive;
+    passesSameSide = isBehind || isContinued;
+    passesOtherSide = isBehind || (isContinued && item.thinWalled);
+  } else if (origin && !ray.crosses && ray.contact != Contact::none) {
+    passesSameSide = passesOtherSide = isContinued || (ray.contact == Contact::beyond && !item.transmits);
+  }
+  return std::visit(
+      HitDistance{ray, startsHere, item.oneSided, origin ? &origin->shape : nullptr, passesSameSide, passesOtherSide},
+      item.shape);
 }
 
 bool Tracing::passes(const Item& item, const Ray& ray, std::uint64_t word) const {
@@ -218,12 +285,20 @@ bool Tracing::containsLight(const Item& item, const Ray& ray, double t, const Ra
   return std::visit([&](const auto& shape) { return margin.contains(shape, t, startsHere); }, item.shape);
 }
 
+std::optional<bool> Tracing::hidesEmitter(const Item& item, double t, const Item& light, double lightDistance) const {
+  if (!item.emits || !coincide(item.shape, light.shape)) return std::nullopt;
+  return t < lightDistance || (t == lightDistance && item.primitive < light.primitive);
+}
+
 bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {
+  const Item* const light = end.light == kNoPrimitive ? nullptr : &items_[itemOf_[end.light]];
   bool occluded = false;
   visitItems(ray, end.distance, counters, [&](const Item& item) {
-    if (item.primitive == end.light) return false;
+    if (&item == light) return false;
     const double t = distance(item, ray);
-    occluded = t < end.distance && !passes(item, ray, 0) && !containsLight(item, ray, t, end, kLightMargin);
+    if (t == kNoHit || passes(item, ray, 0)) return false;
+    const std::optional<bool> hides = light ? hidesEmitter(item, t, *light, distance(*light, ray)) : std::nullopt;
+    occluded = hides.value_or(t < end.distance && !containsLight(item, ray, t, end, kLightMargin));
     return occluded;
   });
   return occluded;
@@ -231,6 +306,10 @@ bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) 
 
 dvec3 Tracing::testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const {
   return origin + reaches_[static_cast<std::size_t>(&item - items_.data())].at(origin) * signs;
+}
+
+double Tracing::roundedDistance(const Item& item, double exact, std::uint64_t word) const {
+  return exact * (1 + kTie / 2 * Rounding::signOf(word, item.firstCopy));
 }
 
 Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
@@ -244,8 +323,9 @@ Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
     tested.origin = testedOrigin(item, ray.origin, signs);
     const double exact = distance(item, tested);
     if (!(exact < nearest.distance * (1 + kTie))) return false;
-    const double rounded = exact * (1 + kTie / 2 * Rounding::signOf(word, item.primitive));
-    if (!(rounded < nearest.distance) || passes(item, tested, word)) return false;
+    const double rounded = roundedDistance(item, exact, word);
+    const bool wins = rounded == nearest.distance && item.primitive < nearest.primitive;
+    if (!(rounded < nearest.distance || wins) || passes(item, tested, word)) return false;
     nearest = {rounded, item.primitive};
     hitOrigin = tested.origin;
     return false;
@@ -258,16 +338,25 @@ bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, 
   if (!rounding.perturbs()) return isOccluded(ray, end, counters);
   const dvec3 signs = rounding.signs();
   const std::uint64_t word = rounding.word();
+  const Item* const light = end.light == kNoPrimitive ? nullptr : &items_[itemOf_[end.light]];
   bool occluded = false;
   Ray tested = ray;
+  const auto ofLight = [&] {
+    Ray toLight = ray;
+    toLight.origin = testedOrigin(*light, ray.origin, signs);
+    return roundedDistance(*light, distance(*light, toLight), word);
+  };
   visitItems(ray, end.distance, counters, [&](const Item& item) {
-    if (item.primitive == end.light) return false;
+    if (&item == light) return false;
     tested.origin = testedOrigin(item, ray.origin, signs);
     const double t = distance(item, tested);
-    const double sign = Rounding::signOf(word, item.primitive);
+    if (t == kNoHit || passes(item, tested, word)) return false;
+    const std::optional<bool> hides = light ? hidesEmitter(item, roundedDistance(item, t, word), *light, ofLight())
+                                            : std::nullopt;
+    const double sign = Rounding::signOf(word, item.firstCopy);
     const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
-    occluded = t < end.distance * (1 - kTie / 2 * sign) && !passes(item, tested, word) &&
-               !containsLight(item, tested, t, end, fraction);
+    occluded = hides.value_or(t < end.distance * (1 - kTie / 2 * sign) &&
+                              !containsLight(item, tested, t, end, fraction));
     return occluded;
   });
   return occluded;

@@ -1,6 +1,7 @@
 // Intersections of rays with a scene: by a linear list of all primitives, or through a BVH or a grid.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/reference/geometry.h"
@@ -65,7 +66,12 @@ class Tracing {
     Shape shape;
     bool oneSided;
     bool transparent;
+    bool emits;
+    bool transmits;
+    bool thinWalled;  ///< transmits without bounding a volume
+    std::uint32_t material;
     std::uint32_t primitive;
+    std::uint32_t firstCopy;  ///< the lowest index of a primitive of the same shape; perturbed by the same errors
   };
 
   void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided);
@@ -76,9 +82,15 @@ class Tracing {
   /// Returns whether a ray passes an item that it would otherwise hit. `word`: of the rounding of a replica; 0:
   /// exactly.
   bool passes(const Item& item, const Ray& ray, std::uint64_t word) const;
-  void findReaches();
+  /// Returns whether an item that `ray` hits at distance `t` hides an emitter that coincides with it: of both, a ray
+  /// sees the closer one, or the one with the lower index. `lightDistance` is the distance of the emitter. Returns
+  /// nothing if the item does not emit, or they do not coincide.
+  std::optional<bool> hidesEmitter(const Item& item, double t, const Item& light, double lightDistance) const;
+  void prepareReplicas();
   /// The origin of the ray that the device's test of this item amounts to; `signs` of the errors.
   dvec3 testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const;
+  /// `exact` with the error of this item; `word` is the ray's.
+  double roundedDistance(const Item& item, double exact, std::uint64_t word) const;
   template <class Visit>
   void visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
   template <class Visit>
@@ -90,6 +102,7 @@ class Tracing {
   render::RenderSettings settings_;
   dvec3 eye_;
   std::vector<Item> items_;             ///< in the structure's order, then those outside of the structure
+  std::vector<std::uint32_t> itemOf_;   ///< index in items_ of each primitive; undefined for those that are never hit
   std::size_t firstOutside_ = 0;        ///< index of the first item outside of the structure
   std::vector<RoundingReach> reaches_;  ///< of items_; empty unless replicas are traced
   Hierarchy hierarchy_;

@@ -91,18 +91,20 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
   record.lobe = branches.lobe;
   state.keep(record);
 
-  const auto rayTowards = [&](const dvec3& direction) {
-    return Ray{surface.position, direction, surface.primitive, surface.outwardNormal};
+  const auto rayTowards = [&](const dvec3& direction, bool crosses) {
+    return Ray{surface.position, direction, surface.primitive, surface.outwardNormal, 0, crosses, surface.contact};
   };
   if (branches.reflected.factor > 0) {
     ++state.counters.bounceRays;
     ++state.counters.reflectedRays;
-    sum += branches.reflected.factor * radianceAt(node.reflected(rayTowards(branches.reflected.direction)), state);
+    sum += branches.reflected.factor *
+           radianceAt(node.reflected(rayTowards(branches.reflected.direction, false)), state);
   }
   if (branches.refracted.factor > 0) {
     ++state.counters.bounceRays;
     ++state.counters.refractedRays;
-    sum += branches.refracted.factor * radianceAt(node.refracted(rayTowards(branches.refracted.direction)), state);
+    sum += branches.refracted.factor *
+           radianceAt(node.refracted(rayTowards(branches.refracted.direction, true)), state);
   }
   return rounding.relative(sum, kRoundingBounds.radiance);
 }
@@ -122,7 +124,7 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
     if (dot(surface.shadingNormal, wi) <= 0 || dot(surface.facingNormal, wi) <= 0) continue;
 
     ++state.counters.shadowRays;
-    const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal};
+    const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal, 0, false, surface.contact};
     const bool occluded = tracing().isOccluded(ray, {.distance = distance, .point = point}, state.counters, rounding);
     if (occluded) {
       record.shadow = render::ShadowOutcome::occluded;

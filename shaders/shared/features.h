@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; id 88 is free.
+// use are compiled out. Other ids are in specialization.h.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \
@@ -26,6 +26,7 @@
   X(pointLights, kHasPointLights, 15)                                                            \
   X(punctualLights, kHasPunctualLights, 29) /* point with fall-off, spot, directional */         \
   X(touched, kHasTouched, 95)               /* some primitive may contain a light */             \
+  X(coincident, kHasCoincident, 88)         /* some surface coincides with another one */        \
   X(insideOnly, kHasInsideOnly, 26)         /* some sphere has a negative radius */              \
   X(sky, kHasSky, 16)                                                                            \
   X(environment, kHasEnvironment, 33)                                                            \

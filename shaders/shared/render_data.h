@@ -95,7 +95,7 @@ struct PathCounts {
 // started. path_state.glsl has macros that name the packed members.
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
-  uvec4 directionAndSlot;  // ray direction, originSlot (slot of the origin primitive | kOriginInward, or kNoSlot)
+  uvec4 directionAndSlot;  // ray direction, originSlot (slot of the origin primitive and flags, or kNoSlot)
   uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started) | volume << kVolumeShift
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
@@ -192,8 +192,13 @@ struct Counters {
   uint volumeFaults;     // docs/light-transport.md section 5.6
 };
 
-// Flag of an originSlot: the ray starts inward from its origin primitive.
-CANDELA_CONST uint kOriginInward = 0x80000000u;
+// An originSlot is a slot and these flags.
+CANDELA_CONST uint kOriginInward = 0x80000000u;      // the ray starts inward from its origin primitive
+CANDELA_CONST uint kOriginCrosses = 0x40000000u;     // it crosses the surface; set if the origin primitive may coincide
+CANDELA_CONST uint kOriginCoincident = 0x20000000u;  // with another one, which this flag says
+CANDELA_CONST uint kOriginBeyond = 0x10000000u;      // the ray before hit it at once, after it crossed a surface,
+CANDELA_CONST uint kOriginBack = 0x08000000u;        // or on its way back: docs/light-transport.md section 4
+CANDELA_CONST uint kOriginSlotMask = 0x07ffffffu;
 
 // Path records: kRecordedVertices pairs (primitive index, decisions) per pixel, after the counters.
 CANDELA_CONST uint kRecordedVertices = 32u;

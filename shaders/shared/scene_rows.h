@@ -45,8 +45,11 @@ CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 CANDELA_CONST uint kFlagSmooth = 256u;            // triangle with vertex normals
 CANDELA_CONST uint kFlagTangents = 512u;          // triangle with tangents
 CANDELA_CONST uint kFlagEmissionColours = 1024u;  // triangle whose vertex colours scale the emission
-CANDELA_CONST uint kMaterialShift = 11u;
-CANDELA_CONST uint kMaxMaterialCount = 1u << 21;
+CANDELA_CONST uint kFlagCoincident = 2048u;       // another surface may coincide with it: coincidence.glsl
+CANDELA_CONST uint kFlagTransmits = 4096u;        // rays may cross the surface
+CANDELA_CONST uint kFlagThinWalled = 8192u;       // it bounds no volume
+CANDELA_CONST uint kMaterialShift = 14u;
+CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 
 // Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
 // (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of
@@ -116,7 +119,7 @@ CANDELA_CONST uint kLightPunctual = 3u;  // with fall-off
 CANDELA_CONST uint kLightSpot = 4u;
 CANDELA_CONST uint kLightDirectional = 5u;
 CANDELA_CONST uint kLightEnvironment = 6u;  // no emission, no position
-CANDELA_CONST uint kNoSlot = 0x7fffffffu;
+CANDELA_CONST uint kNoSlot = 0x07ffffffu;
 
 // Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and
 // the edges of the square around the position that the light fills (edge, 0) (edge, 0).

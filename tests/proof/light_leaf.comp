@@ -24,6 +24,8 @@ Surface surfaceOf(vec4 place, uint slot) {
   Surface surface;
   surface.position = place.xyz;
   surface.outward = vec3(0.0, 0.0, 1.0);
+  surface.kind = 0u;
+  surface.contact = 0u;
   surface.slot = place.w != 0.0 ? slot : kNoSlot;
   surface.flatSurface = false;
   surface.jitter = vec4(0.0);
@@ -31,7 +33,7 @@ Surface surfaceOf(vec4 place, uint slot) {
 }
 
 vec4 found(Surface from, uint slot, vec3 direction) {
-  Ray ray = rayFrom(from, direction);
+  Ray ray = rayFrom(from, direction, false);
   float t = hitPrimitive(ray, slot).t;
   if (t >= kNoHit) return vec4(0.0);
   return vec4(t, lightPdf(ray, surfaceAt(ray, slot, t), t), 0.0, 0.0);
