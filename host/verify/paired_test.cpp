@@ -1,13 +1,10 @@
 // Plans looks, renders batches on both sides with equal seeds, and tests their differences.
 #include "host/verify/paired_test.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "host/core/divide_up.h"
-#include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
 #include "host/verify/paired_sums.h"
@@ -53,7 +50,7 @@ class PairedTest {
       if (result_.interrupted) break;
       takeLook(look);
       if (!options_.bias && samples_ >= maxSamples_) promiseWhatWasReached();
-      if (result_.information == 1 || result_.differs()) break;
+      if (result_.information == 1 || result_.differs() || isBeyondBias()) break;
       if (look + 1 == kMaxPairedLooks) break;
       samples = timeLimit_.affordable(watch_.lap(), samples_, wantedSamples(look), samplesPerStep_);
       result_.outOfTime = samples == samples_;
@@ -125,14 +122,16 @@ class PairedTest {
     result_.level = level_;
     result_.looks = look + 1;
     if (look == 0) result_.bias = options_.bias.value_or(defaultBias());
-    if (look == 0 && options_.bias) requireAboveMargin(*options_.bias);
     result_.information = std::max(result_.information, sums_.information(0, result_.bias, level_));
   }
 
   double relativeMargin() const {
-    const RegionResult& image = result_.regions.front();
-    return image.referenceMean == 0 ? 0 : image.margin / std::abs(image.referenceMean);
+    const RegionResult& image = result_.image();
+    return image.referenceMean == 0 ? 0 : image.relative(image.excused);
   }
+
+  // No number of samples detects a bias that rounding excuses.
+  bool isBeyondBias() const { return options_.bias && relativeMargin() >= *options_.bias; }
 
   // The detectable bias, beyond the margin, falls with the root of the number of samples.
   double defaultBias() const {
@@ -147,14 +146,6 @@ class PairedTest {
   void promiseWhatWasReached() {
     result_.bias = std::max(result_.bias, result_.regions.front().detectableBias);
     result_.information = 1;
-  }
-
-  void requireAboveMargin(double bias) const {
-    if (bias > relativeMargin() || result_.differs()) return;
-    throw UsageError(
-        fmt::format("--bias {:g}: rounding in single precision may change the mean of this image by a fraction of "
-                    "{:.2g}, so that a smaller difference is no evidence against a device; choose a larger --bias",
-                    bias, relativeMargin()));
   }
 
   const scene::Scene& scene_;
