@@ -93,8 +93,8 @@ std::vector<Option> verificationOptions() {
   return {
     valued({"--alpha", kVerify, kGroup, "false-alarm probability of the whole run"},
            fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
-    valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect; if rounding or noise may hide more, the verdict is not decided"},
-           orAbsent(fraction("FRACTION", 1e-7, 1), "what 32 samples per pixel detect; a verdict may overlook 1 %"), [](auto& a) -> auto& { return a.verification.bias; }),
+    valued({"--bias", kVerify, kGroup, "relative difference of the image means that the test must detect; the run ends when it would have been detected, and if rounding or noise may hide more, the verdict is not decided"},
+           orAbsent(fraction("FRACTION", 1e-7, 1), "1 %, and the run continues to 0.05 % or 32 samples per pixel; 0.5 % with --test independent"), [](auto& a) -> auto& { return a.verification.bias; }),
     valued({"--test", kVerify, kGroup, "`paired`: both sides draw the same random numbers, and their differences are tested; `independent`: the means of renders with different random numbers are tested, which takes many more samples"},
            choice(kLightTests), [](auto& a) -> auto& { return a.verification.method; }),
     valued({"--time-limit", kVerify, kGroup, "end with fewer samples if the test would take longer than about this time"},

@@ -34,7 +34,7 @@ class PairedTest {
         level_(statistics::sidakLevel(options.alpha, testCount_)),
         batches_(batchesFor(settings.image.size)),
         samplesPerStep_(std::uint64_t{batches_} * minBatchSamples(settings.image.integrator)),
-        maxSamples_(options.bias ? kMaxPairedSamples : defaultSamples(settings.image.size)),
+        defaultSamples_(defaultSamples(settings.image.size)),
         timeLimit_(options.timeLimit) {
     if (!options.keepFilms) return;
     result_.deviceFilm = render::emptyFilm(settings.image, settings.image.size);
@@ -49,7 +49,7 @@ class PairedTest {
       result_.interrupted = !renderTo(samples, look);
       if (result_.interrupted) break;
       takeLook(look);
-      if (!options_.bias && samples_ >= maxSamples_) promiseWhatWasReached();
+      if (!options_.bias && samples_ >= maxSamples()) promiseWhatWasReached();
       if (result_.information == 1 || result_.differs() || isBeyondBias()) break;
       if (look + 1 == kMaxPairedLooks) break;
       samples = timeLimit_.affordable(watch_.lap(), samples_, wantedSamples(look), samplesPerStep_);
@@ -71,10 +71,16 @@ class PairedTest {
     return std::clamp(kDefaultPaths / pixels, std::uint64_t{1}, kDefaultSamples);
   }
 
+  // Without a requested bias, a run that noise would leave undecided goes on for longer.
+  std::uint64_t maxSamples() const {
+    if (options_.bias) return kMaxPairedSamples;
+    return doubtOf(result_.image(), kMaxOverlooked) == Doubt::noise ? kPatience * defaultSamples_ : defaultSamples_;
+  }
+
   // The number of samples after the next look: `samples_` and a positive multiple of `samplesPerStep_`.
   std::uint64_t wantedSamples(std::uint32_t look) const {
     const std::uint32_t looksLeft = look + 1 < kMaxLooks ? kMaxLooks - 1 - look : 1;
-    const std::uint64_t wanted = std::min(nextSamples(samples_, result_.information, looksLeft), maxSamples_);
+    const std::uint64_t wanted = std::min(nextSamples(samples_, result_.information, looksLeft), maxSamples());
     return samples_ + divideUp(std::max(wanted, samples_ + 1) - samples_, samplesPerStep_) * samplesPerStep_;
   }
 
@@ -133,13 +139,15 @@ class PairedTest {
   // No number of samples detects a bias that rounding excuses.
   bool isBeyondBias() const { return options_.bias && relativeMargin() >= *options_.bias; }
 
-  // The detectable bias, beyond the margin, falls with the root of the number of samples.
+  // The detectable bias, beyond the margin, falls with the root of the number of samples. A verdict must detect
+  // kMaxOverlooked, if rounding does not excuse it.
   double defaultBias() const {
     const double margin = relativeMargin();
     const double noise = result_.regions.front().detectableBias - margin;
     const double later = noise * std::sqrt(static_cast<double>(samples_) /
-                                           static_cast<double>(std::max(maxSamples_, samples_)));
-    return std::max({kPairedBias, kMarginFactor * margin, margin + later});
+                                           static_cast<double>(std::max(defaultSamples_, samples_)));
+    const double bias = std::max({kPairedBias, kMarginFactor * margin, margin + later});
+    return margin < kMaxOverlooked ? std::min(bias, kMaxOverlooked) : bias;
   }
 
   // The first look may underestimate the noise of rare flips.
@@ -161,7 +169,7 @@ class PairedTest {
   double level_;
   std::uint32_t batches_;
   std::uint64_t samplesPerStep_;  ///< per pixel: the smallest number in all batches
-  std::uint64_t maxSamples_;      ///< per pixel; every batch may add one
+  std::uint64_t defaultSamples_;  ///< per pixel; every batch may add one
   std::uint64_t samples_ = 0;     ///< per pixel, so far
   TimeLimit timeLimit_;
   Stopwatch watch_;

@@ -11,6 +11,8 @@ inline constexpr double kPairedBias = 5e-4;
 inline constexpr double kMarginFactor = 3;
 inline constexpr std::uint64_t kDefaultSamples = 32;
 inline constexpr std::uint64_t kDefaultPaths = std::uint64_t{1} << 22;
+/// A run has this many times as many samples at most, if noise would leave its verdict undecided.
+inline constexpr std::uint64_t kPatience = 8;
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.
 /// `scale`: roughly the mean luminance of the image, from other samples. The run ends if rounding excuses

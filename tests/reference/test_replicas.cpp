@@ -1,5 +1,6 @@
 // Replicas of samples: whose errors count as amplified, so that they leave the margin of the paired test.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "host/reference/reference_renderer.h"
 #include "tests/reference/scene_builder.h"
@@ -72,4 +73,23 @@ TEST_CASE("errors that mirror balls reflect back and forth are amplified, near t
     CHECK(counted.amplified > counted.samples / 200);
     CHECK(counted.amplified < counted.samples / 2);
   }
+}
+
+TEST_CASE("the lean of replicas is the signed sum of differences: rounding alone has next to none") {
+  render::RenderSettings settings;
+  settings.image.size = {32, 32};
+  settings.image.sampleCount = 16;
+  settings.execution.replicas = 1;
+  const scene::Scene scene = roomAround(vec3(0)).scene;
+  const auto session = reference::makeReferenceRenderer()->prepare(scene, settings);
+  session->advance({0, settings.image.sampleCount}, {});
+  double magnitude = 0;
+  double lean = 0;
+  for (const render::Deviation& deviation : session->replicas().deviations) {
+    magnitude += deviation.magnitude[3];
+    lean += deviation.lean[3];
+    CHECK(std::abs(deviation.lean[3]) <= deviation.magnitude[3]);
+  }
+  CHECK(magnitude > 0);
+  CHECK(std::abs(lean) < 0.5 * magnitude);
 }

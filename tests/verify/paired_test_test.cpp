@@ -88,9 +88,20 @@ TEST_CASE("a bias below the margin ends the run at its first look, and is not de
   CHECK(refused.looks == 1);
   CHECK(refused.information < 1);
   CHECK(doubtOf(refused.image(), 1e-3) == Doubt::rounding);
-  const LightTestResult result = runPaired(options, 1);
-  CHECK(result.bias > 0.025);
+  const LightTestResult result = runPaired({.flips = 0.02, .jump = 1}, 1);
+  CHECK(result.bias > 0.05);
   CHECK(result.bias < 0.1);
+}
+
+TEST_CASE("a run that noise would leave undecided goes on until it detects 1 %") {
+  const PairedOptions rareFlips{.flips = 1e-4, .jump = 30};
+  const LightTestResult result = runPaired(rareFlips, 4);
+  const LightTestResult shorter = runPaired(rareFlips, 4, {.timeLimit = 0.0});
+  CAPTURE(result.samplesPerPixel, result.image().detectableBias);
+  CHECK(doubtOf(shorter.image(), kMaxOverlooked) == Doubt::noise);
+  CHECK(doubtOf(result.image(), kMaxOverlooked) == Doubt::none);
+  CHECK(result.samplesPerPixel > kDefaultSamples);
+  CHECK(result.samplesPerPixel > shorter.samplesPerPixel);
 }
 
 TEST_CASE("images of few pixels have enough values by more batches") {
