@@ -94,7 +94,7 @@ TEST_CASE("a bias below the margin ends the run at its first look, and is not de
 }
 
 TEST_CASE("a run that noise would leave undecided goes on until it detects 1 %") {
-  const PairedOptions rareFlips{.flips = 1e-4, .jump = 30};
+  const PairedOptions rareFlips{.flips = 1e-4, .jump = 20};
   const LightTestResult result = runPaired(rareFlips, 4);
   const LightTestResult shorter = runPaired(rareFlips, 4, {.timeLimit = 0.0});
   CAPTURE(result.samplesPerPixel, result.image().detectableBias);
