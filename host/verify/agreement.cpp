@@ -63,13 +63,13 @@ Doubt AgreementReport::doubt() const {
 std::string AgreementReport::verdict() const {
   switch (conclusion()) {
     case Conclusion::same:
-      return "The tracers agree.";
+      return "the tracers agree";
     case Conclusion::different:
-      return "The tracers DIFFER.";
+      return "the tracers differ";
     case Conclusion::undecided:
       break;
   }
-  return doubtText(doubt(), image(), maxOverlooked) + remedyText(doubt(), image(), "render more samples (--spp)");
+  return doubtText(doubt(), image(), maxOverlooked) + remedyText(doubt(), image(), "More samples (--spp)");
 }
 
 std::string AgreementReport::toText() const {
@@ -85,6 +85,14 @@ std::string AgreementReport::toText() const {
                       differenceText(image()));
   const RegionResult& most = mostSignificant();
   if (&most != &image()) text += fmt::format("  {}\n", differenceText(most));
+  switch (conclusion()) {
+    case Conclusion::same:
+      return text + "  they agree\n";
+    case Conclusion::different:
+      return text + "  they DIFFER\n";
+    case Conclusion::undecided:
+      break;
+  }
   return text + fmt::format("  {}\n", verdict());
 }
 

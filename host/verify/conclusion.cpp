@@ -96,7 +96,7 @@ std::string remedyText(Doubt doubt, const RegionResult& image, const std::string
       return " Remove or separate surfaces that coincide, or move the scene to its origin" + acceptanceText(image) +
              ".";
     case Doubt::noise:
-      return fmt::format(" To decide it, {}, or state with --bias how much may be hidden.", moreSamples);
+      return fmt::format(" {}, or a larger --bias, would decide it.", moreSamples);
     case Doubt::darkness:
       break;
   }
@@ -117,7 +117,7 @@ nlohmann::ordered_json doubtJson(Doubt doubt, const RegionResult& image, double 
   json["excusedFraction"] = image.relative(image.excused);
   json["differenceFraction"] = image.relativeDifference();
   json["replicaDifferenceFraction"] = image.relative(image.replicaDifference);
-  json["isLostBySinglePrecision"] = isLostBySinglePrecision(image);
+  json["lostBySinglePrecision"] = isLostBySinglePrecision(image);
   return json;
 }
 

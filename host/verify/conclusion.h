@@ -1,4 +1,4 @@
-// What a comparison of light concludes, and why a comparison that found no difference may leave it open.
+// The conclusion of a comparison of light, and the reason why one that found no difference may leave it open.
 #pragma once
 #include <array>
 #include <nlohmann/json_fwd.hpp>
@@ -10,7 +10,7 @@ namespace candela::verify {
 
 enum class Conclusion { same, different, undecided };
 
-/// What may hide a difference from a comparison that found none. darkness: the reference is black.
+/// The cause that may hide a difference from a comparison that found none. darkness: the reference is black.
 enum class Doubt { none, rounding, noise, darkness };
 inline constexpr std::array<const char*, 4> kDoubtNames{"none", "rounding", "noise", "darkness"};
 
@@ -34,7 +34,7 @@ bool isLostBySinglePrecision(const RegionResult& image);
 /// Returns sentences that state the doubt, the limit, and the sign and size of the difference; empty without a doubt.
 std::string doubtText(Doubt doubt, const RegionResult& image, double maxOverlooked, const SideNames& names = {});
 
-/// Returns a sentence on what decides a doubt, after a space. `moreSamples` is the clause on how to get them.
+/// Returns a sentence on what decides a doubt, after a space. `moreSamples` says what would give more of them.
 std::string remedyText(Doubt doubt, const RegionResult& image, const std::string& moreSamples);
 
 /// Returns the member `agrees` of a document: true, false, or null for undecided.

@@ -118,7 +118,7 @@ std::string FilmTestResult::verdict() const {
                        most.test.difference > 0 ? "brighter" : "darker", pValueText(pValueOf(most, regions.size())));
   }
   if (conclusion() == Conclusion::undecided) {
-    return doubtText(doubt(), image(), maxOverlooked, kFilmNames) + remedyText(doubt(), image(), "render more samples");
+    return doubtText(doubt(), image(), maxOverlooked, kFilmNames) + remedyText(doubt(), image(), "More samples");
   }
   return fmt::format(
       "A and B show the same light within their noise: a difference of {:.2g} % of the image mean would have been "

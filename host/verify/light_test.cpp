@@ -66,7 +66,7 @@ class LightTest {
     return device_.render(more, look, control_) && reference_.render(more, look, control_);
   }
 
-  // What is excused is an estimate, too, whose error adds to that of the reference.
+  // The excuse is an estimate, too, whose error adds to that of the reference.
   RegionResult compareMeans(std::size_t region, double level) const {
     const RegionResult excuse = excuses_.test(region, level);
     statistics::Estimate reference = meanOf(reference_, region);

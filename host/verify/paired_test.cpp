@@ -74,7 +74,9 @@ class PairedTest {
   // Without a requested bias, a run that noise would leave undecided goes on for longer.
   std::uint64_t maxSamples() const {
     if (options_.bias) return kMaxPairedSamples;
-    return doubtOf(result_.image(), kMaxOverlooked) == Doubt::noise ? kPatience * defaultSamples_ : defaultSamples_;
+    return doubtOf(result_.image(), kMaxOverlooked) == Doubt::noise
+               ? kPatience * std::max(defaultSamples_, samplesPerStep_)
+               : defaultSamples_;
   }
 
   // The number of samples after the next look: `samples_` and a positive multiple of `samplesPerStep_`.

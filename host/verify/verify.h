@@ -41,7 +41,7 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
 std::string toText(const VerifyReport& report);
 nlohmann::ordered_json toJson(const VerifyReport& report);
 
-/// What a JUnit test suite counts as a failure.
+/// The choice of what a JUnit test suite counts as a failure.
 struct JunitOptions {
   bool strict = false;           ///< adds a case for the absence of bad samples
   bool allowsUndecided = false;  ///< a question that is not decided is skipped, and does not fail

@@ -73,8 +73,8 @@ std::string differenceVerdict(const VerifyReport& report) {
 
 std::string openExactVerdict(const ExactTest& exact) {
   return fmt::format(
-      "Not decided: noise may hide a difference of {:.2g} % from the exact result that the scene states. To decide it, "
-      "set a longer --time-limit, or state with --bias how much may be hidden.",
+      "Not decided: noise may hide a difference of {:.2g} % from the exact result that the scene states. A longer "
+      "--time-limit, or a larger --bias, would decide it.",
       100 * exact.detectableBias);
 }
 
@@ -106,7 +106,9 @@ std::string VerifyReport::verdict() const {
       if (doubt() == Doubt::none) return openExactVerdict(*exact);
       return doubtText(doubt(), light.image(), options.maxOverlooked()) +
              remedyText(doubt(), light.image(),
-                        light.outOfTime ? "set a longer --time-limit" : "state --bias, which renders more samples");
+                        light.outOfTime ? "A longer --time-limit"
+                        : options.bias  ? "A longer run"
+                                        : "The longer run of --bias 1%");
     case Conclusion::same:
       break;
   }

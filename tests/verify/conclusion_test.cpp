@@ -1,4 +1,5 @@
-// What a comparison may overlook: its limit, its reason, its figures and its words, for results made up by hand.
+// A comparison may overlook something: its limit, its reason, its figures and its words are tested, for results made up
+// by hand.
 #include "host/verify/conclusion.h"
 
 #include <catch2/catch.hpp>
@@ -80,9 +81,10 @@ TEST_CASE("light that replicas lose, too, is said to be lost by single precision
 TEST_CASE("the remedy of noise is samples, and that of rounding is geometry or a larger limit, if one is possible") {
   const auto remedyOf = [](const MadeResult& made) {
     const RegionResult image = made.result();
-    return remedyText(doubtOf(image, 0.01), image, "render more samples");
+    return remedyText(doubtOf(image, 0.01), image, "More samples");
   };
-  CHECK_THAT(remedyOf({.noise = 0.02}), Contains("render more samples") && !Contains("coincide"));
+  CHECK_THAT(remedyOf({.noise = 0.02}),
+             Contains("More samples, or a larger --bias, would decide it.") && !Contains("coincide"));
   CHECK_THAT(remedyOf({.excused = 0.02}), Contains("surfaces that coincide") && Contains("--bias 3% accepts"));
   CHECK_THAT(remedyOf({.excused = 0.8}), !Contains("--bias"));
   CHECK(remedyOf({}).empty());
@@ -97,7 +99,7 @@ TEST_CASE("JSON has the reason and all figures as fractions of the mean, or null
   CHECK(json["excusedFraction"].get<double>() == Approx(0.67));
   CHECK(json["differenceFraction"].get<double>() == Approx(-0.12));
   CHECK(json["replicaDifferenceFraction"].get<double>() == Approx(-0.11));
-  CHECK(json["isLostBySinglePrecision"] == true);
+  CHECK(json["lostBySinglePrecision"] == true);
   CHECK(doubtJson(Doubt::none, image, 0.01).is_null());
   CHECK(agreesJson(Conclusion::undecided).is_null());
 }
