@@ -12,7 +12,7 @@ inline constexpr double kMarginFactor = 3;
 inline constexpr std::uint64_t kDefaultSamples = 32;
 inline constexpr std::uint64_t kDefaultPaths = std::uint64_t{1} << 22;
 /// A run has this many times as many samples at most, if noise would leave its verdict undecided.
-inline constexpr std::uint64_t kPatience = 8;
+inline constexpr std::uint64_t kPatience = 16;
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.
 /// `scale`: roughly the mean luminance of the image, from other samples. The run ends if rounding excuses
