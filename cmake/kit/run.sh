@@ -106,6 +106,7 @@ step() {
   case $code in
     0) echo "done ($seconds s)" ;;
     3) echo "differences found ($seconds s)" ;;
+    8) echo "not decided ($seconds s)" ;;
     124 | 137) echo "not finished after $limit s" ;;
     *) echo "failed with exit code $code: $(cause "$work/$name.err")" ;;
   esac

@@ -112,8 +112,9 @@ struct Arguments {
   std::filesystem::path flipFile;
 
   verify::LightTestOptions verification;
-  std::string junit;     ///< like `json`
-  bool explain = false;  ///< for `verify`: explain the pixel that differs most
+  std::string junit;            ///< like `json`
+  bool explain = false;         ///< for `verify`: explain the pixel that differs most
+  bool allowUndecided = false;  ///< a verdict that is not decided is a success
 
   std::optional<PixelPosition> pixel;  ///< pixel to explain; empty: the one that differs most
   std::uint32_t sample = 0;

@@ -101,7 +101,7 @@ ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& argu
   if (!arguments.strict || badSamples == 0) return code;
   log.problem(
       fmt::format("--strict: the run fails because of {} bad samples; its files are still written", badSamples));
-  return code == ExitCode::done ? ExitCode::differ : code;
+  return code == ExitCode::done || code == ExitCode::undecided ? ExitCode::differ : code;
 }
 
 }  // namespace candela::cli

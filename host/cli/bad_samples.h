@@ -27,7 +27,8 @@ nlohmann::ordered_json badSamplesJson(const render::BadSampleTallies& tallies, c
 /// Writes the lines of both tracers to the log.
 void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& job, const Log& log);
 
-/// Returns `code`, except that --strict turns success into ExitCode::differ, with a message, if there are bad samples.
+/// Returns `code`, except that --strict turns success, or a verdict that is not decided, into ExitCode::differ, with a
+/// message, if there are bad samples.
 ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log);
 
 }  // namespace candela::cli

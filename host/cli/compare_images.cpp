@@ -6,6 +6,7 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
+#include "host/cli/conclusion_code.h"
 #include "host/cli/image_pair.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
@@ -42,7 +43,7 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));
   }
   if (pair.badSamples() > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples()));
-  return strictly(pair.verdict.passes() ? ExitCode::done : ExitCode::differ, pair.badSamples(), arguments, log);
+  return strictly(exitCodeOf(pair.verdict.conclusion(), arguments), pair.badSamples(), arguments, log);
 }
 
 }  // namespace candela::cli

@@ -3,6 +3,7 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
+#include "host/cli/conclusion_code.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
@@ -22,7 +23,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   const verify::AgreementReport report = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return verify::compareTracers(job.scene, job.settings(), *device, *reference, arguments.verification.alpha,
+    return verify::compareTracers(job.scene, job.settings(), *device, *reference, arguments.verification,
                                   makeControl(progress));
   }();
   render::requireComplete(report.deviceStatistics);
@@ -34,8 +35,8 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   if (!arguments.report.empty() && !report.interrupted) {
     writeReport(arguments.report, agreementReport(arguments, job, report));
   }
-  const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
-  return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples.samples(), arguments, log);
+  const ExitCode code = report.interrupted ? ExitCode::interrupted : exitCodeOf(report.conclusion(), arguments);
+  return strictly(code, report.badSamples.samples(), arguments, log);
 }
 
 }  // namespace candela::cli

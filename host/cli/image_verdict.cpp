@@ -30,7 +30,7 @@ void test(ImageVerdict& verdict, const Arguments& arguments, const image::Image&
   if (obstacle) {
     verdict.whyNoTest = *obstacle;
   } else {
-    verdict.films = verify::testFilms(a, reference, arguments.verification.alpha);
+    verdict.films = verify::testFilms(a, reference, arguments.verification);
   }
 }
 
@@ -47,6 +47,11 @@ ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, cons
   }
   test(verdict, arguments, a, reference);
   return verdict;
+}
+
+verify::Conclusion ImageVerdict::conclusion() const {
+  if (!withinTolerance) return verify::Conclusion::different;
+  return films ? films->conclusion() : verify::Conclusion::same;
 }
 
 std::string ImageVerdict::sentence() const {
@@ -68,7 +73,7 @@ std::string toText(const ImageVerdict& verdict) {
 }
 
 void addToJson(const ImageVerdict& verdict, nlohmann::ordered_json& json) {
-  json["agrees"] = verdict.isGiven() ? nlohmann::ordered_json(verdict.passes()) : nlohmann::ordered_json();
+  json["agrees"] = verdict.isGiven() ? verify::agreesJson(verdict.conclusion()) : nlohmann::ordered_json();
   if (verdict.films) json["sameLight"] = toJson(*verdict.films);
   if (!verdict.whyNoTest.empty()) json["noVerdict"] = verdict.whyNoTest;
 }

@@ -19,7 +19,7 @@ struct ImageVerdict {
   std::string whyNoTest;  ///< the reason if films with variances were not tested; else empty
 
   bool isGiven() const { return tolerance || films; }
-  bool passes() const { return withinTolerance && !(films && films->differs()); }
+  verify::Conclusion conclusion() const;
   /// Returns sentences without a newline at the end, also if there is no verdict.
   std::string sentence() const;
 };

@@ -85,7 +85,7 @@ std::vector<std::string> commandsOf(const Arguments& arguments, const image::Ima
 
 Outcome outcomeOf(const ImageVerdict& verdict) {
   if (!verdict.isGiven()) return Outcome::none;
-  return verdict.passes() ? Outcome::agree : Outcome::differ;
+  return report::outcomeOf(verdict.conclusion());
 }
 
 }  // namespace

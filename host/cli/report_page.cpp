@@ -14,7 +14,6 @@
 namespace candela::cli {
 namespace {
 
-using report::Outcome;
 using report::Report;
 
 std::string commandOf(const Arguments& arguments, const char* command, std::initializer_list<OptionGroup> groups) {
@@ -60,6 +59,7 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
   page.figures.push_back({"Equal lit pixels", fmt::format("{} of {} ({:.3f} %)", paths.litEqual, paths.lit,
                                                           100 * paths.litEqualFraction())});
   page.figures.push_back({"Decidable pixels", paths.decisions.text()});
+  for (const std::string& line : paths.undecided.lines()) page.figures.push_back({"Undecidable pixels", line});
   page.figures.push_back({"First differences of the other pixels", paths.causesText()});
 }
 
@@ -68,8 +68,9 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
 Report agreementReport(const Arguments& arguments, const RenderJob& job, const verify::AgreementReport& agreement) {
   Report page = tracersReport(job, agreement.deviceFilm, agreement.referenceFilm, agreement.deviceStatistics);
   page.title = job.scene.name + ": device and reference, equal random numbers";
-  page.outcome = agreement.agree() ? Outcome::agree : Outcome::differ;
+  page.outcome = report::outcomeOf(agreement.conclusion());
   page.verdict = agreementSentence(agreement);
+  if (agreement.doubt() != verify::Doubt::none) page.verdict = agreement.verdict() + " " + page.verdict;
   addPaths(agreement.pixels, page);
   page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.samples)});
   page.figures.push_back({"Seed", fmt::to_string(job.settings().image.seed)});
@@ -82,7 +83,7 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   const verify::LightTestResult& light = verification.light;
   Report page = tracersReport(job, light.deviceFilm, light.referenceFilm, light.deviceStatistics);
   page.title = job.scene.name + ": the verdict on the device";
-  page.outcome = verification.agree() ? Outcome::agree : Outcome::differ;
+  page.outcome = report::outcomeOf(verification.conclusion());
   page.verdict = verification.verdict();
   page.tests = light;
   addPaths(verification.paths, page);

@@ -6,6 +6,7 @@
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/commands.h"
+#include "host/cli/conclusion_code.h"
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
@@ -54,12 +55,12 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   nlohmann::ordered_json json = toJson(report);
   json["badSamples"] = badSamplesJson(report.badSamples, job);
   if (arguments.explain && !report.interrupted) explainWorst(report, job, *device, *reference, asText, json);
-  writeText(arguments.junit, toJunit(report, arguments.strict));
+  writeText(arguments.junit, toJunit(report, {arguments.strict, arguments.allowUndecided}));
   writeJson(arguments.json, json);
   if (options.keepFilms && !report.interrupted)
     writeReport(arguments.report, verificationReport(arguments, job, report));
-  const ExitCode code = report.agree() ? ExitCode::done : ExitCode::differ;
-  return strictly(report.interrupted ? ExitCode::interrupted : code, report.badSamples.samples(), arguments, log);
+  const ExitCode code = report.interrupted ? ExitCode::interrupted : exitCodeOf(report.conclusion(), arguments);
+  return strictly(code, report.badSamples.samples(), arguments, log);
 }
 
 }  // namespace candela::cli

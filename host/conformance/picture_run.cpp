@@ -25,6 +25,7 @@ std::string explanationOf(const scene::Scene& scene, const render::RenderSetting
 }
 
 std::string differenceOf(const verify::AgreementReport& report) {
+  if (report.doubt() != verify::Doubt::none) return report.verdict();
   if (!report.pixels.agree()) return report.pixels.decisions.text();
   return verify::differenceText(report.mostSignificant());
 }
@@ -32,11 +33,11 @@ std::string differenceOf(const verify::AgreementReport& report) {
 Finding compareOn(render::Renderer& device, const Picture& picture, render::Renderer& reference) {
   const scene::Scene& scene = sceneNamed(picture.scene);
   const verify::AgreementReport report = verify::compareTracers(scene, picture.settings, device, reference,
-                                                                picture.alpha, {});
+                                                                {.alpha = picture.alpha}, {});
   if (report.deviceStatistics.truncated > 0) {
     return failed(fmt::format("the device stopped {} loops of the kernel", report.deviceStatistics.truncated));
   }
-  if (report.agree()) return passed();
+  if (report.conclusion() == verify::Conclusion::same) return passed();
   return failed(differenceOf(report) + "\n" + explanationOf(scene, picture.settings, report.pixels, device, reference));
 }
 

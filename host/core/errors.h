@@ -15,6 +15,7 @@ enum class ExitCode : int {
   deviceLost = 5,  ///< the device was lost, hung, or its driver failed
   outOfMemory = 6,
   interrupted = 7,  ///< interrupted; the samples rendered so far are written
+  undecided = 8,    ///< a verdict is not decided: rounding or noise may hide more than is permitted
   internal = 70,
 };
 
@@ -50,6 +51,10 @@ struct OutOfMemoryError : Error {
 /// Memory beyond a fixed limit of the device was requested: another attempt would fail, too.
 struct DeviceLimitError : OutOfMemoryError {
   using OutOfMemoryError::OutOfMemoryError;
+};
+/// A verdict that is not decided was used as a condition.
+struct UndecidedError : Error {
+  explicit UndecidedError(const std::string& message) : Error(ExitCode::undecided, message) {}
 };
 /// Work was interrupted whose partial result is useless.
 struct InterruptedError : Error {

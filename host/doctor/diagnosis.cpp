@@ -63,6 +63,7 @@ Diagnosis diagnose(const std::string& selector) {
 
 ExitCode Diagnosis::code() const {
   if (!trial || trial->outcome == TrialOutcome::fails) return ExitCode::noDevice;
+  if (trial->outcome == TrialOutcome::undecided) return ExitCode::undecided;
   return trial->outcome == TrialOutcome::wrong ? ExitCode::differ : ExitCode::done;
 }
 
@@ -71,6 +72,8 @@ std::string Diagnosis::verdict() const {
     case ExitCode::done:
       return fmt::format("A render will work, on {}{}.", device->name,
                          device->isSoftware() ? ", in software: the picture is right, but a GPU is faster" : "");
+    case ExitCode::undecided:
+      return fmt::format("A render will work, on {}, but whether its picture is right is not decided.", device->name);
     case ExitCode::differ:
       return fmt::format("The pictures of {} are WRONG. `--device cpu` renders correct ones without Vulkan.",
                          device->name);

@@ -27,9 +27,9 @@ nlohmann::ordered_json toJson(const Check& check) {
   return {{"name", check.name}, {"status", nameOf(check.status)}, {"text", check.text}, {"remedy", check.remedy}};
 }
 
-// Returns whether the picture of a render is right; null if there is none.
+// Returns whether the picture of a render is right; null if there is none, or if it is not decided.
 nlohmann::ordered_json agreement(ExitCode code) {
-  if (code == ExitCode::noDevice) return nullptr;
+  if (code == ExitCode::noDevice || code == ExitCode::undecided) return nullptr;
   return code == ExitCode::done;
 }
 

@@ -37,8 +37,9 @@ nlohmann::json compareWithReference(render::Renderer& device) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   Stopwatch stopwatch;
   const verify::AgreementReport report = verify::compareTracers(scene, render::resolve(request, scene), device,
-                                                                *reference, verify::LightTestOptions{}.alpha, {});
-  return {{"agrees", report.agree() && report.deviceStatistics.truncated == 0},
+                                                                *reference, {}, {});
+  const bool isTruncated = report.deviceStatistics.truncated > 0;
+  return {{"agrees", isTruncated ? nlohmann::json(false) : nlohmann::json(agreesJson(report.conclusion()))},
           {"seconds", stopwatch.lap()},
           {"truncated", report.deviceStatistics.truncated},
           {"report", nlohmann::json(report.toJson())}};
@@ -49,6 +50,13 @@ Trial interpretTrial(const nlohmann::json& comparison) {
   const std::string what = fmt::format("{}x{} pixels, {} samples, {:.1f} s", kSide, kSide, kSamples,
                                        comparison["seconds"].get<double>());
   trial.check.text = fmt::format("{}: agrees with the reference tracer", what);
+  if (comparison["agrees"].is_null()) {
+    trial.outcome = TrialOutcome::undecided;
+    trial.check.status = Status::warning;
+    trial.check.text = fmt::format("{}: {}", what, comparison["report"]["verdict"].get<std::string>());
+    trial.check.remedy = "`candela verify SCENE` renders more samples of a scene of yours";
+    return trial;
+  }
   if (comparison["agrees"].get<bool>()) return trial;
   trial.outcome = TrialOutcome::wrong;
   trial.check.status = Status::problem;

@@ -13,8 +13,9 @@ namespace candela::doctor {
 /// compile.
 inline constexpr std::chrono::minutes kTrialLimit{5};
 
-/// `works`: the picture is right. `wrong`: it is not. `fails`: there is no picture.
-enum class TrialOutcome { works, wrong, fails };
+/// `works`: the picture is right. `undecided`: rounding or noise may hide an error. `wrong`: it is not right. `fails`:
+/// there is no picture.
+enum class TrialOutcome { works, undecided, wrong, fails };
 
 struct Trial {
   TrialOutcome outcome = TrialOutcome::fails;

@@ -96,11 +96,12 @@ std::string describe(const Step& step) {
   return fmt::format("ended with exit code {} after {:.0f} s", step.exitCode, step.seconds);
 }
 
-// Lists steps whose exit code is not 0, other than those that found a difference (3), which the tables show.
+// Lists steps whose exit code is not 0, other than those that found a difference (3) or whose verdict is not decided
+// (8), which the tables show.
 std::string brokenSteps(const KitResults& results) {
   std::string lines;
   for (const Step& step : results.steps) {
-    if (step.exitCode == 0 || step.exitCode == 3) continue;
+    if (step.exitCode == 0 || step.exitCode == 3 || step.exitCode == 8) continue;
     lines += fmt::format("- The step `{}` {}.\n", step.name, describe(step));
   }
   return lines;

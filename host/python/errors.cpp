@@ -29,6 +29,8 @@ const char* nameOf(const Error& error) {
       return "DeviceLostError";
     case ExitCode::outOfMemory:
       return "OutOfMemoryError";
+    case ExitCode::undecided:
+      return "UndecidedError";
     default:
       return "InternalError";
   }

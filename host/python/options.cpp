@@ -33,16 +33,16 @@ const FunctionOptions kVerifyOptions{"verify",
                                      Command::verify,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::verification},
                                      {"--alpha"},
-                                     {"--memory", "--junit", "--explain"}};
+                                     {"--memory", "--junit", "--explain", "--allow-undecided"}};
 const FunctionOptions kExplainOptions{"explain",
                                       Command::explain,
                                       {OptionGroup::image, OptionGroup::execution, OptionGroup::explanation},
                                       {},
                                       {"--memory"}};
 const FunctionOptions kCompareTracersOptions{
-    "compare", Command::compare, {OptionGroup::image, OptionGroup::execution}, {"--alpha"}, {"--memory"}};
+    "compare", Command::compare, {OptionGroup::image, OptionGroup::execution}, {"--alpha", "--bias"}, {"--memory"}};
 const FunctionOptions kCompareImagesOptions{
-    "compare", Command::compare, {}, {"--alpha", "--tolerance", "--tonemap", "--exposure"}};
+    "compare", Command::compare, {}, {"--alpha", "--bias", "--tolerance", "--tonemap", "--exposure"}};
 const FunctionOptions kSaveOptions{
     "Film.save", Command::render, {}, {"--tonemap", "--exposure", "--denoise", "--device", "--no-cache"}};
 const FunctionOptions kDenoiseOptions{

@@ -50,6 +50,20 @@ Result watched(const std::function<Result(const Watch&, const Log&)>& work, cons
   return result;
 }
 
+// Fills in a result. An interrupted verdict and one that is not decided do not say whether the sides agree.
+template <class Kind>
+Kind outcomeOf(std::optional<verify::Conclusion> conclusion, std::string verdict, std::string text,
+               const nlohmann::ordered_json& report) {
+  Kind outcome{{std::nullopt, std::move(verdict), std::move(text), jsonText(report)}};
+  outcome.isUndecided = conclusion == verify::Conclusion::undecided;
+  if (conclusion && !outcome.isUndecided) outcome.agrees = conclusion == verify::Conclusion::same;
+  return outcome;
+}
+
+std::optional<verify::Conclusion> conclusionOf(const auto& report) {
+  return report.interrupted ? std::nullopt : std::optional(report.conclusion());
+}
+
 Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
   const verify::VerifyReport report = verify::verifyScene(tracers.job.scene, tracers.job.settings(), *tracers.device,
@@ -57,7 +71,7 @@ Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, c
   reportBadSamples(report.badSamples, tracers.job, log);
   nlohmann::ordered_json json = toJson(report);
   json["badSamples"] = badSamplesJson(report.badSamples, tracers.job);
-  return {report.agree(), report.verdict(), toText(report), jsonText(json)};
+  return outcomeOf<Verdict>(conclusionOf(report), report.verdict(), toText(report), json);
 }
 
 Verdict verify(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
@@ -67,7 +81,7 @@ Verdict verify(const PythonScene& scene, const py::object& progress, const py::k
                           progress);
 }
 
-Explanation outcomeOf(const explain::Explanation& explanation) {
+Explanation explanationOf(const explain::Explanation& explanation) {
   render::requireComplete(explanation.statistics);
   return {!explanation.firstDifference, explanation.verdict(), toText(explanation), jsonText(toJson(explanation))};
 }
@@ -82,7 +96,7 @@ Explanation explainWorst(Tracers& tracers) {
   render::requireComplete(renders.deviceStatistics);
   const auto worst = explain::explainWorst(tracers.job.scene, tracers.job.settings(), *pixels, *tracers.device,
                                            *tracers.reference);
-  if (worst) return outcomeOf(*worst);
+  if (worst) return explanationOf(*worst);
   const std::string text = explain::nothingToExplain(*pixels);
   return {true, text, text + "\n", jsonText(explain::nothingJson(tracers.job.scene, *pixels))};
 }
@@ -91,8 +105,8 @@ Explanation explainScene(const PythonScene& scene, const cli::Arguments& argumen
                          const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
   if (!tracers.job.arguments.pixel) return explainWorst(tracers);
-  return outcomeOf(explain::explainSample(tracers.job.scene, tracers.job.settings(), sampleAskedFor(tracers.job),
-                                          *tracers.device, *tracers.reference));
+  return explanationOf(explain::explainSample(tracers.job.scene, tracers.job.settings(), sampleAskedFor(tracers.job),
+                                              *tracers.device, *tracers.reference));
 }
 
 Explanation explain(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
@@ -107,12 +121,12 @@ Comparison compareTracers(const PythonScene& scene, const cli::Arguments& argume
   Tracers tracers(scene, arguments, watch, log);
   const verify::AgreementReport report = verify::compareTracers(tracers.job.scene, tracers.job.settings(),
                                                                 *tracers.device, *tracers.reference,
-                                                                arguments.verification.alpha, tracers.control);
+                                                                arguments.verification, tracers.control);
   render::requireComplete(report.deviceStatistics);
   reportBadSamples(report.badSamples, tracers.job, log);
   nlohmann::ordered_json json = report.toJson();
   json["badSamples"] = badSamplesJson(report.badSamples, tracers.job);
-  return {report.agree(), report.agree() ? "the tracers agree" : "the tracers differ", report.toText(), jsonText(json)};
+  return outcomeOf<Comparison>(conclusionOf(report), report.verdict(), report.toText(), json);
 }
 
 Comparison compareScene(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
@@ -144,12 +158,13 @@ Comparison compareImages(const py::object& a, const py::object& b, const py::kwa
   const image::Image first = imageFrom(a), reference = imageFrom(b);
   cli::ImagePair pair;
   runWatched([&](const Watch&) { pair = comparePair(arguments, first, reference); });
-  const std::optional<bool> agrees = pair.verdict.isGiven() ? std::optional(pair.verdict.passes()) : std::nullopt;
-  return {agrees, pair.verdict.sentence(), toText(pair), jsonText(toJson(pair))};
+  const auto conclusion = pair.verdict.isGiven() ? std::optional(pair.verdict.conclusion()) : std::nullopt;
+  return outcomeOf<Comparison>(conclusion, pair.verdict.sentence(), toText(pair), toJson(pair));
 }
 
 bool truthOf(const Outcome& outcome) {
   if (outcome.agrees) return *outcome.agrees;
+  if (outcome.isUndecided) throw UndecidedError(outcome.verdict);
   throw UsageError("there is no verdict: state tolerance or alpha, or compare films or EXR files of renders");
 }
 

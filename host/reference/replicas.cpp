@@ -53,6 +53,7 @@ void add(const render::Replica& replica, const dvec3& exact, render::Deviation& 
     deviation.drift += difference;
   } else {
     deviation.magnitude += glm::abs(difference);
+    deviation.lean += difference;
   }
 }
 

@@ -23,6 +23,7 @@ struct Replica {
 /// Differences of replica 1 from the exact sample, summed over the samples of a pixel: red, green, blue, luminance.
 struct Deviation {
   glm::dvec4 magnitude{0};      ///< sum of |difference| over samples whose errors are not amplified
+  glm::dvec4 lean{0};           ///< sum of the differences of the same samples, with their signs
   glm::dvec4 drift{0};          ///< sum of the differences of all other samples
   std::uint32_t undecided = 0;  ///< number of samples whose decisions differ
   std::uint32_t amplified = 0;  ///< number of samples with amplified errors

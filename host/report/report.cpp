@@ -30,6 +30,8 @@ OutcomeText textOf(Outcome outcome) {
       return {"agree", "✓ They agree."};
     case Outcome::differ:
       return {"differ", "✗ They differ."};
+    case Outcome::undecided:
+      return {"undecided", "? It is not decided."};
     case Outcome::none:
       break;
   }
@@ -75,6 +77,18 @@ std::string histograms(const image::Image& a, const image::Image& b) {
 }
 
 }  // namespace
+
+Outcome outcomeOf(verify::Conclusion conclusion) {
+  switch (conclusion) {
+    case verify::Conclusion::same:
+      return Outcome::agree;
+    case verify::Conclusion::different:
+      return Outcome::differ;
+    case verify::Conclusion::undecided:
+      break;
+  }
+  return Outcome::undecided;
+}
 
 std::string toHtml(const Report& report) {
   const std::uint32_t k = reductionOf(report.a.width, report.a.height);

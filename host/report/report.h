@@ -7,11 +7,14 @@
 #include "host/image/flip.h"
 #include "host/image/image.h"
 #include "host/image/metrics.h"
+#include "host/verify/conclusion.h"
 #include "host/verify/region_result.h"
 
 namespace candela::report {
 
-enum class Outcome { agree, differ, none };
+enum class Outcome { agree, differ, undecided, none };
+/// Returns the outcome of a verdict.
+Outcome outcomeOf(verify::Conclusion conclusion);
 
 /// Texts may be arbitrary, such as file names with HTML characters.
 struct Figure {

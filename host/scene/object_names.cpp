@@ -63,6 +63,11 @@ std::string materialName(const Scene& scene, std::size_t material) {
   return material < scene.materialNames.size() ? scene.materialNames[material] : fmt::format("material.{}", material);
 }
 
+std::size_t objectOf(const Scene& scene, std::uint32_t primitive) {
+  const auto next = std::ranges::upper_bound(scene.objectStarts, primitive) - scene.objectStarts.begin();
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next, 1) - 1);
+}
+
 MatteIds::MatteIds(const Scene& scene)
     : scene_(scene),
       objects_(idsOf(scene, image::MatteKind::object)),
@@ -70,8 +75,7 @@ MatteIds::MatteIds(const Scene& scene)
 
 std::uint32_t MatteIds::of(image::MatteKind kind, std::uint32_t primitive) const {
   if (kind == image::MatteKind::material) return materials_[scene_.primitives[primitive].material];
-  const auto next = std::ranges::upper_bound(scene_.objectStarts, primitive) - scene_.objectStarts.begin();
-  return objects_[static_cast<std::size_t>(std::max<std::ptrdiff_t>(next, 1) - 1)];
+  return objects_[objectOf(scene_, primitive)];
 }
 
 std::map<std::uint32_t, std::string> matteNamesById(const Scene& scene, image::MatteKind kind) {

@@ -16,6 +16,8 @@ namespace candela::scene {
 /// the index of the object, as `sphere.3`, or `material.3`. A scene that states no objects is one, `scene`.
 std::string objectName(const Scene& scene, std::size_t object);
 std::string materialName(const Scene& scene, std::size_t material);
+/// Returns the index of the object to which a primitive, an index into Scene::primitives, belongs.
+std::size_t objectOf(const Scene& scene, std::uint32_t primitive);
 
 /// The ids of a scene's objects and materials. Two with the same name have the same id.
 class MatteIds {

@@ -24,14 +24,15 @@ void testRegions(AgreementReport& report, std::span<const render::Deviation> dev
 }  // namespace
 
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
-                               render::Renderer& device, render::Renderer& reference, double alpha,
+                               render::Renderer& device, render::Renderer& reference, const LightTestOptions& options,
                                const render::RenderControl& control) {
   AgreementReport report;
+  report.maxOverlooked = options.maxOverlooked();
   report.scene = scene.name;
   report.samples = settings.image.sampleCount;
   PathRenders renders;
-  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, alpha / 2, control,
-                                                            renders);
+  const std::optional<PixelAgreement> pixels = comparePaths(scene, settings, device, reference, options.alpha / 2,
+                                                            control, renders);
   report.badSamples = renders.badSamples;
   report.pixels = pixels.value_or(PixelAgreement{});
   render::RenderResult many = device.render(scene, settings, control);
@@ -46,8 +47,29 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
   report.deviceStatistics = many.statistics;
   report.deviceStatistics.truncated += renders.deviceStatistics.truncated;
   report.deviceFilm = std::move(many.film);
-  if (!report.interrupted) testRegions(report, session->replicas().deviations, alpha / 2);
+  if (!report.interrupted) testRegions(report, session->replicas().deviations, options.alpha / 2);
   return report;
+}
+
+Conclusion AgreementReport::conclusion() const {
+  if (!pixels.agree() || differs()) return Conclusion::different;
+  return doubt() == Doubt::none ? Conclusion::same : Conclusion::undecided;
+}
+
+Doubt AgreementReport::doubt() const {
+  return pixels.agree() && !differs() ? doubtOf(image(), maxOverlooked) : Doubt::none;
+}
+
+std::string AgreementReport::verdict() const {
+  switch (conclusion()) {
+    case Conclusion::same:
+      return "the tracers agree";
+    case Conclusion::different:
+      return "the tracers differ";
+    case Conclusion::undecided:
+      break;
+  }
+  return doubtText(doubt(), image(), maxOverlooked) + remedyText(doubt(), image(), "More samples (--spp)");
 }
 
 std::string AgreementReport::toText() const {
@@ -58,11 +80,20 @@ std::string AgreementReport::toText() const {
       100 * pixels.equalFraction(), pixels.pixels, kRelativeTolerance, 100 * pixels.litEqualFraction(), pixels.lit,
       pixels.causesText());
   text += fmt::format("  {}\n", pixels.decisions.text());
+  for (const std::string& line : pixels.undecided.lines()) text += fmt::format("  {}\n", line);
   text += fmt::format("  {} samples, {} tests at p < {:.1e}:\n  {}\n", samples, regions.size(), level,
                       differenceText(image()));
   const RegionResult& most = mostSignificant();
   if (&most != &image()) text += fmt::format("  {}\n", differenceText(most));
-  return text + (agree() ? "  they agree\n" : "  they DIFFER\n");
+  switch (conclusion()) {
+    case Conclusion::same:
+      return text + "  they agree\n";
+    case Conclusion::different:
+      return text + "  they DIFFER\n";
+    case Conclusion::undecided:
+      break;
+  }
+  return text + fmt::format("  {}\n", verdict());
 }
 
 nlohmann::ordered_json AgreementReport::toJson() const {
@@ -73,7 +104,9 @@ nlohmann::ordered_json AgreementReport::toJson() const {
   json["interrupted"] = interrupted;
   json["agrees"] = nullptr;
   if (interrupted) return json;
-  json["agrees"] = agree();
+  json["agrees"] = agreesJson(conclusion());
+  json["verdict"] = verdict();
+  json["undecided"] = doubtJson(doubt(), image(), maxOverlooked);
   json["pixels"] = pixels.json();
   json["mean"] = {{"samplesPerPixel", samples},
                   {"device", image().deviceMean},

@@ -9,8 +9,10 @@
 
 #include "host/render/bad_sample_tally.h"
 #include "host/render/renderer.h"
+#include "host/verify/conclusion.h"
 #include "host/verify/decisions.h"
-#include "host/verify/region_result.h"
+#include "host/verify/light_test.h"
+#include "host/verify/undecided_decisions.h"
 
 namespace candela::verify {
 
@@ -32,7 +34,8 @@ struct PixelAgreement {
   double worst = 0;                       ///< maximum difference of a channel
   std::uint32_t worstX = 0, worstY = 0;
   DecisionTest decisions;
-  double referenceMean = 0;  ///< luminance
+  UndecidedDecisions undecided;  ///< of paths; empty for other integrators
+  double referenceMean = 0;      ///< luminance
 
   double equalFraction() const { return pixels == 0 ? 1 : static_cast<double>(equal) / static_cast<double>(pixels); }
   double litEqualFraction() const { return lit == 0 ? 1 : static_cast<double>(litEqual) / static_cast<double>(lit); }
@@ -48,11 +51,17 @@ struct AgreementReport : RegionTests {
   render::RenderStatistics deviceStatistics;  ///< of the films; `truncated` counts the pixels' images, too
   PixelAgreement pixels;
   std::uint32_t samples = 0;              ///< per pixel, of the films
+  double maxOverlooked = kMaxOverlooked;  ///< fraction of the image mean
   render::BadSampleTallies badSamples;    ///< of all renders
   image::Film deviceFilm, referenceFilm;  ///< films with `samples` samples per pixel
   bool interrupted = false;
 
-  bool agree() const { return !interrupted && pixels.agree() && !differs(); }
+  /// There is none of an interrupted comparison.
+  Conclusion conclusion() const;
+  /// Returns what leaves a comparison that found no difference undecided.
+  Doubt doubt() const;
+  /// Returns the conclusion in one or more sentences.
+  std::string verdict() const;
   std::string toText() const;
   nlohmann::ordered_json toJson() const;
 };
@@ -77,9 +86,9 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
                                            const render::RenderControl& control, PathRenders& renders);
 
 /// Renders `scene` on both sides: once with one sample for the pixels, and with `settings.image.sampleCount` for the
-/// paired test of their light. The probability of a false alarm is at most `alpha`.
+/// paired test of their light. Of `options`, only `alpha` and `bias` are used.
 AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSettings& settings,
-                               render::Renderer& device, render::Renderer& reference, double alpha,
+                               render::Renderer& device, render::Renderer& reference, const LightTestOptions& options,
                                const render::RenderControl& control);
 
 }  // namespace candela::verify

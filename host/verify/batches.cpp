@@ -43,7 +43,9 @@ bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::Re
     if (!session_->advance({0, samples}, control)) return false;
     statistics_ = session_->statistics();
     render::requireComplete(statistics_);
-    addFilm(session_->film(), batch);
+    const image::Film film = session_->film();
+    if (excuses_) excuses_->add(film, film, session_->replicas().deviations);
+    addFilm(film, batch);
   }
   samples_ += samples;
   return true;

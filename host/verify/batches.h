@@ -9,6 +9,7 @@
 #include "host/render/bad_sample_tally.h"
 #include "host/render/film_coverage.h"
 #include "host/render/renderer.h"
+#include "host/verify/paired_sums.h"
 #include "host/verify/regions.h"
 
 namespace candela::verify {
@@ -44,6 +45,9 @@ class Batches {
   std::uint64_t samples() const { return samples_; }
   /// Stores the sum of all batches from now on, in a film of 64 bytes per pixel.
   void keepFilm() { film_ = render::emptyFilm(settings_.image, settings_.image.size); }
+  /// Adds what the replicas of all batches from now on excuse to `excuses`, which must outlive the object. The settings
+  /// must request a replica.
+  void noteExcuses(PairedSums& excuses) { excuses_ = &excuses; }
   image::Film takeFilm() { return std::move(film_); }
   /// Returns the batches' means of one region.
   std::array<double, kBatchCount> means(std::size_t region) const;
@@ -63,6 +67,7 @@ class Batches {
   std::span<const Region> regions_;
   std::uint64_t samples_ = 0;
   render::BadSampleTally badSamples_;
+  PairedSums* excuses_ = nullptr;
   image::Film film_;                                   ///< empty unless it is kept
   std::array<std::vector<double>, kBatchCount> sums_;  ///< by region: mean times samples
   render::RenderStatistics statistics_;

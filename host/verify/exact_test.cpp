@@ -19,18 +19,31 @@ using statistics::Estimate;
 // Looks of other tests have smaller indices, so that no seed is used twice.
 constexpr std::uint32_t kFirstExactLook = kMaxPairedLooks;
 
-double pValueAgainst(const Estimate& measured, double expected, double margin) {
-  const Estimate exact{expected, 0, 1};
-  return statistics::welch(measured, exact, margin + kRelativeTolerance * expected + kAbsoluteTolerance).pValue;
-}
+// The mean of one side, and what is attributed to rounding in it.
+struct SideMean {
+  Estimate estimate;
+  double margin = 0;
 
-// The device's batches of the region, as many samples as `bias` (relative to `expected`) requires.
-class DeviceMean {
+  double pValueAgainst(double expected) const {
+    const Estimate exact{expected, 0, 1};
+    return statistics::welch(estimate, exact, margin + kRelativeTolerance * expected + kAbsoluteTolerance).pValue;
+  }
+
+  // Returns the difference that would have been detected with probability kPower.
+  double detectable(double level) const {
+    if (estimate.squaredError == 0) return margin;
+    const double critical = statistics::criticalT(level, estimate.degreesOfFreedom);
+    return margin + (critical + statistics::normalQuantile(kPower)) * std::sqrt(estimate.squaredError);
+  }
+};
+
+// One side's batches of the region, as many samples as `bias` (absolute) requires.
+class OwnMean {
  public:
-  DeviceMean(const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& device,
-             const Region& region)
+  OwnMean(Side side, const scene::Scene& scene, const render::RenderSettings& settings, render::Renderer& renderer,
+          const Region& region)
       : region_{Region{0, 0, region.width, region.height}},
-        batches_(Side::device, device, scene, cropped(settings, region), region_) {}
+        batches_(side, renderer, scene, cropped(settings, region), region_) {}
 
   // Returns false if `control` stopped it. The plan depends only on the standard error, never on the difference.
   bool render(double bias, double level, const std::optional<double>& timeLimit, const render::RenderControl& control) {
@@ -45,7 +58,7 @@ class DeviceMean {
       const Estimate mean = estimate();
       const double information = informationFraction(std::sqrt(mean.squaredError), bias,
                                                      statistics::criticalT(level, mean.degreesOfFreedom));
-      if (information == 1 || look + 1 == kMaxLooks) break;
+      if (information == 1 || bias == 0 || look + 1 == kMaxLooks) break;
       const std::uint64_t wanted = nextSamples(batches_.samples(), information, kMaxLooks - 1 - look);
       samples = limit.affordable(watch.lap(), batches_.samples(), wanted);
       if (samples == batches_.samples()) break;
@@ -89,31 +102,40 @@ Region regionOf(const scene::ExactMean& exact, const render::Extent& image) {
 }
 
 std::optional<ExactTest> testExactMean(const scene::Scene& scene, const render::RenderSettings& settings,
-                                       render::Renderer& device, const LightTestOptions& options,
-                                       const LightTestResult& light, const render::RenderControl& control,
-                                       render::BadSampleTally& badSamples) {
+                                       render::Renderer& device, render::Renderer& reference,
+                                       const LightTestOptions& options, const LightTestResult& light,
+                                       const render::RenderControl& control, render::BadSampleTallies& badSamples) {
   ExactTest test;
   test.expected = image::luminance(glm::dvec3(scene.exactMean->rgb));
   test.level = statistics::sidakLevel(options.alpha, 2);
-  Estimate deviceMean, referenceMean;
-  double margin = 0;
-  if (light.watchedDifference) {
-    DeviceMean mean(scene, settings, device, *options.watched);
-    const double bias = std::max(options.bias.value_or(0), kExactBias) * test.expected;
-    if (!mean.render(bias, test.level, options.timeLimit, control)) return std::nullopt;
-    badSamples.add(mean.batches().badSamples());
-    test.samplesPerPixel = mean.batches().samples() * kBatchCount;
-    deviceMean = mean.estimate();
-    referenceMean = minus(deviceMean, *light.watchedDifference);
-    margin = light.watchedDifference->margin;
+  const double bias = std::max(options.bias.value_or(0), kExactBias) * test.expected;
+  const auto ownMean = [&](Side side, render::Renderer& renderer, render::BadSampleTally& bad, std::uint64_t& samples) {
+    OwnMean own(side, scene, settings, renderer, *options.watched);
+    if (!own.render(bias, test.level, options.timeLimit, control)) return std::optional<SideMean>();
+    bad.add(own.batches().badSamples());
+    samples = own.batches().samples() * kBatchCount;
+    return std::optional(SideMean{own.estimate()});
+  };
+  std::optional<SideMean> ofDevice, ofReference;
+  if (const std::optional<RegionResult>& difference = light.watchedDifference) {
+    ofDevice = ownMean(Side::device, device, badSamples.device, test.samplesPerPixel);
+    if (!ofDevice) return std::nullopt;
+    const bool isControl = difference->excused <= kMaxControlMargin * test.expected;
+    ofReference = isControl ? SideMean{minus(ofDevice->estimate, *difference), difference->excused}
+                            : ownMean(Side::reference, reference, badSamples.reference, test.referenceSamplesPerPixel);
+    if (!ofReference) return std::nullopt;
   } else {
-    deviceMean = statistics::estimateOf(light.watchedDevice);
-    referenceMean = statistics::estimateOf(light.watchedReference);
+    ofDevice = SideMean{statistics::estimateOf(light.watchedDevice)};
+    ofReference = SideMean{statistics::estimateOf(light.watchedReference)};
   }
-  test.device = deviceMean.mean;
-  test.reference = referenceMean.mean;
-  test.devicePValue = pValueAgainst(deviceMean, test.expected, 0);
-  test.referencePValue = pValueAgainst(referenceMean, test.expected, margin);
+  test.device = ofDevice->estimate.mean;
+  test.reference = ofReference->estimate.mean;
+  test.devicePValue = ofDevice->pValueAgainst(test.expected);
+  test.referencePValue = ofReference->pValueAgainst(test.expected);
+  if (test.expected > 0) {
+    test.detectableBias = std::max(ofDevice->detectable(test.level), ofReference->detectable(test.level)) /
+                          test.expected;
+  }
   return test;
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 using Variances = std::vector<float>;
 
+const SideNames kFilmNames{"A", "B"};
+
 Variances largerOf(const Variances& a, const Variances& b) {
   Variances larger(a.size());
   std::transform(a.begin(), a.end(), b.begin(), larger.begin(), [](float x, float y) { return std::max(x, y); });
@@ -87,19 +89,25 @@ std::optional<std::string> whyNotTestable(const image::Image& a, const image::Im
          "--seed";
 }
 
-FilmTestResult testFilms(const image::Image& a, const image::Image& reference, double alpha) {
+FilmTestResult testFilms(const image::Image& a, const image::Image& reference, const LightTestOptions& options) {
   std::vector<Region> regions = regionsOf({a.width, a.height});
   std::erase_if(regions, [](const Region& region) { return region.quantity != Region::Quantity::luminance; });
   const bool equalCounts = a.sampleCounts == reference.sampleCounts;
   const Variances larger = equalCounts ? Variances{} : largerOf(a.luminanceVariance, reference.luminanceVariance);
 
-  FilmTestResult result{{statistics::sidakLevel(alpha, regions.size()), {}}, alpha};
+  FilmTestResult result{
+      {statistics::sidakLevel(options.alpha, regions.size()), {}}, options.alpha, options.maxOverlooked()};
   for (const Region& region : regions) {
     result.regions.push_back(compareRegion(
         region, estimateRegion(a, equalCounts ? a.luminanceVariance : larger, region),
         estimateRegion(reference, equalCounts ? reference.luminanceVariance : larger, region), result.level));
   }
   return result;
+}
+
+Conclusion FilmTestResult::conclusion() const {
+  if (differs()) return Conclusion::different;
+  return doubt() == Doubt::none ? Conclusion::same : Conclusion::undecided;
 }
 
 std::string FilmTestResult::verdict() const {
@@ -109,14 +117,20 @@ std::string FilmTestResult::verdict() const {
                        regionText(most.region), 100 * std::abs(most.relativeDifference()),
                        most.test.difference > 0 ? "brighter" : "darker", pValueText(pValueOf(most, regions.size())));
   }
+  if (conclusion() == Conclusion::undecided) {
+    return doubtText(doubt(), image(), maxOverlooked, kFilmNames) + remedyText(doubt(), image(), "More samples");
+  }
   return fmt::format(
       "A and B show the same light within their noise: a difference of {:.2g} % of the image mean would have been "
       "detected with {:.0f} % probability.",
-      100 * std::max(image().detectableBias, kRelativeTolerance), 100 * kPower);
+      100 * image().detectableBias, 100 * kPower);
 }
 
 std::string toText(const FilmTestResult& result) {
-  std::string text = fmt::format("same light?           {}: {} tests at p < {:.1e}\n", result.differs() ? "NO" : "yes",
+  std::string text = fmt::format("same light?           {}: {} tests at p < {:.1e}\n",
+                                 result.differs()                ? "NO"
+                                 : result.doubt() == Doubt::none ? "yes"
+                                                                 : "not decided",
                                  result.regions.size(), result.level);
   text += fmt::format("                      {}\n", differenceText(result.image()));
   const RegionResult& most = result.mostSignificant();
@@ -125,8 +139,11 @@ std::string toText(const FilmTestResult& result) {
 }
 
 nlohmann::ordered_json toJson(const FilmTestResult& result) {
-  nlohmann::ordered_json json{
-      {"agrees", !result.differs()}, {"verdict", result.verdict()}, {"alpha", result.alpha}, {"level", result.level}};
+  nlohmann::ordered_json json{{"agrees", agreesJson(result.conclusion())},
+                              {"verdict", result.verdict()},
+                              {"undecided", doubtJson(result.doubt(), result.image(), result.maxOverlooked)},
+                              {"alpha", result.alpha},
+                              {"level", result.level}};
   for (const RegionResult& region : result.regions) json["regions"].push_back(regionJson(region, "mean"));
   return json;
 }

@@ -13,7 +13,7 @@
 #include <string>
 
 #include "host/image/image.h"
-#include "host/verify/region_result.h"
+#include "host/verify/light_test.h"
 
 namespace candela::verify {
 
@@ -25,8 +25,12 @@ inline constexpr const char* kBiasMetadata = "candela.bias";
 
 /// The regions are the luminance of the whole image, then of tiles of 8, 16 and 32 pixels; the level is Sidak's.
 struct FilmTestResult : RegionTests {
-  double alpha = 0;  ///< probability of a false alarm
+  double alpha = 0;                       ///< probability of a false alarm
+  double maxOverlooked = kMaxOverlooked;  ///< fraction of the image mean
 
+  Conclusion conclusion() const;
+  /// Returns what leaves a test that found no difference undecided.
+  Doubt doubt() const { return differs() ? Doubt::none : doubtOf(image(), maxOverlooked); }
   /// Returns one sentence with the result and its certainty.
   std::string verdict() const;
 };
@@ -39,8 +43,9 @@ bool carriesVariance(const image::Image& image);
 /// stated: with equal random numbers, both have the same noise, which then says nothing about their difference.
 std::optional<std::string> whyNotTestable(const image::Image& a, const image::Image& reference);
 
-/// Tests whether two images for which whyNotTestable() is empty show the same light; `alpha` in (0, 1).
-FilmTestResult testFilms(const image::Image& a, const image::Image& reference, double alpha);
+/// Tests whether two images for which whyNotTestable() is empty show the same light. Of `options`, only `alpha` and
+/// `bias` are used.
+FilmTestResult testFilms(const image::Image& a, const image::Image& reference, const LightTestOptions& options);
 
 /// Returns lines of text, each ending in a newline; the last one is the verdict.
 std::string toText(const FilmTestResult& result);

@@ -9,7 +9,8 @@
 // It is estimated from the standard errors so far, not from the differences, on which a plan must not depend. A look
 // with all of the information, or the last one, spends the rest of alpha and decides; earlier looks can end a run only
 // by finding a difference. Differences within the rounding of single precision (kRelativeTolerance of a region's mean)
-// do not count.
+// do not count, and neither do those that rounding excuses by the decisions that it changes: replicas of all samples of
+// the reference measure them, as in the paired test, so that the two tests never contradict each other.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -17,6 +18,7 @@
 
 #include "host/statistics/welch.h"
 #include "host/verify/batches.h"
+#include "host/verify/conclusion.h"
 #include "host/verify/region_result.h"
 
 namespace candela::verify {
@@ -39,6 +41,9 @@ struct LightTestOptions {
   std::optional<double> timeLimit{};  ///< seconds; looks that would probably end later have fewer samples
   std::optional<Region> watched{};    ///< a region that is not tested, but whose means are returned
   bool keepFilms = false;             ///< return the films, too
+
+  /// Returns the fraction of the image mean that a verdict may overlook.
+  double maxOverlooked() const { return bias.value_or(kMaxOverlooked); }
 };
 
 /// The level of the regions is that of the last look.

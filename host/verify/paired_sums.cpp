@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace candela::verify {
 namespace {
@@ -19,6 +20,11 @@ double variationOf(const statistics::SelfNormalisedSum& values) {
 
 // The more uncertain side.
 double variationOf(const PairedSum& sum) { return std::max(variationOf(sum.brighter), variationOf(sum.darker)); }
+
+// The largest sum of differences that is attributed to rounding. A drift of replicas is one only beyond its noise.
+double excusedSum(const PairedSum& sum) {
+  return sum.margin + std::max(0.0, std::abs(sum.drift) - kDriftErrors * std::sqrt(variationOf(sum)));
+}
 
 }  // namespace
 
@@ -46,6 +52,8 @@ void PairedSums::add(const image::Film& device, const image::Film& reference,
         sum.device += a;
         sum.reference += b;
         sum.margin += margin;
+        sum.drift += deviation.drift[component];
+        sum.replica.add(deviation.lean[component] + deviation.drift[component]);
         sum.samples += count;
       }
     }
@@ -66,15 +74,25 @@ RegionResult PairedSums::test(std::size_t region, double level) const {
   result.test.t = larger.sum > 0 ? larger.sum / std::sqrt(larger.squares) : 0;
   result.test.pValue = std::min(1.0, 2 * statistics::pValueOf(larger, scale_));
   result.differs = result.test.pValue < level;
+  result.excused = excusedSum(sum) / sum.samples;
+  result.replicaDifference = sum.replica.sum / sum.samples;
+  result.replicaStandardError = std::sqrt(variationOf(sum.replica)) / sum.samples;
   if (sum.reference != 0) {
-    result.detectableBias = (neededSum(sum, level) + sum.margin) / std::abs(sum.reference);
+    result.detectableBias = (neededSum(sum, level) + excusedSum(sum)) / std::abs(sum.reference);
   }
   return result;
 }
 
+// Differences that are all equal are found however small they are, unless they are too few.
+double PairedSums::neededSumOfEqualValues(std::uint64_t count, double level) const {
+  const auto values = static_cast<double>(count);
+  const statistics::SelfNormalisedSum ofScale{values * scale_, values * scale_ * scale_, count};
+  return statistics::pValueOf(ofScale, scale_) < level / 2 ? 0 : std::numeric_limits<double>::infinity();
+}
+
 double PairedSums::neededSum(const PairedSum& sum, double level) const {
   const double variation = variationOf(sum);
-  if (variation == 0) return 0;
+  if (variation == 0) return neededSumOfEqualValues(sum.brighter.count, level);
   const auto count = static_cast<double>(sum.brighter.count);
   double needed = 0;
   // A bias adds to the squares, too.
@@ -87,7 +105,7 @@ double PairedSums::neededSum(const PairedSum& sum, double level) const {
 
 double PairedSums::information(std::size_t region, double bias, double level) const {
   const PairedSum& sum = sums_[region];
-  const double excess = bias * std::abs(sum.reference) - sum.margin;
+  const double excess = bias * std::abs(sum.reference) - excusedSum(sum);
   if (excess <= 0) return sum.reference == 0 ? 1 : 0;
   const double ratio = excess / neededSum(sum, level);
   return std::min(1.0, ratio * ratio);

@@ -18,13 +18,17 @@ namespace candela::verify {
 
 /// The device may decide, wherever rounding can, always the other way; replicas do in half of the cases.
 inline constexpr double kOneWay = 2;
+/// The drift of replicas counts as an excuse where it exceeds this number of standard errors; below, it is noise.
+inline constexpr double kDriftErrors = 3;
 
 struct PairedSum {
   statistics::SelfNormalisedSum brighter, darker;
-  double device = 0;     ///< sum of all samples
-  double reference = 0;  ///< the same of the reference
-  double margin = 0;     ///< kOneWay times the sum of e
-  double samples = 0;    ///< number of samples, of all pixels
+  double device = 0;                      ///< sum of all samples
+  double reference = 0;                   ///< the same of the reference
+  double margin = 0;                      ///< kOneWay times the sum of e
+  double drift = 0;                       ///< the sum of f
+  statistics::SelfNormalisedSum replica;  ///< differences of the replica from the exact samples
+  double samples = 0;                     ///< number of samples, of all pixels
 };
 
 class PairedSums {
@@ -39,13 +43,14 @@ class PairedSums {
   /// Tests a region at `level`, two-sided, for all looks together.
   RegionResult test(std::size_t region, double level) const;
   /// Returns the fraction of the information that is needed to detect `bias` with probability kPower, in [0, 1]: 0 if
-  /// the bias is below the margin.
+  /// the bias is below what rounding excuses.
   double information(std::size_t region, double bias, double level) const;
   const PairedSum& at(std::size_t region) const { return sums_[region]; }
 
  private:
-  /// Returns the sum that exceeds the critical one with probability kPower.
+  /// Returns the sum that exceeds the critical one with probability kPower; infinite if so few equal values never do.
   double neededSum(const PairedSum& sum, double level) const;
+  double neededSumOfEqualValues(std::uint64_t count, double level) const;
 
   std::span<const Region> regions_;
   double scale_;

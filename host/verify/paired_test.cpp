@@ -1,13 +1,10 @@
 // Plans looks, renders batches on both sides with equal seeds, and tests their differences.
 #include "host/verify/paired_test.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "host/core/divide_up.h"
-#include "host/core/errors.h"
 #include "host/core/stopwatch.h"
 #include "host/statistics/error_rates.h"
 #include "host/verify/paired_sums.h"
@@ -37,7 +34,7 @@ class PairedTest {
         level_(statistics::sidakLevel(options.alpha, testCount_)),
         batches_(batchesFor(settings.image.size)),
         samplesPerStep_(std::uint64_t{batches_} * minBatchSamples(settings.image.integrator)),
-        maxSamples_(options.bias ? kMaxPairedSamples : defaultSamples(settings.image.size)),
+        defaultSamples_(defaultSamples(settings.image.size)),
         timeLimit_(options.timeLimit) {
     if (!options.keepFilms) return;
     result_.deviceFilm = render::emptyFilm(settings.image, settings.image.size);
@@ -52,8 +49,8 @@ class PairedTest {
       result_.interrupted = !renderTo(samples, look);
       if (result_.interrupted) break;
       takeLook(look);
-      if (!options_.bias && samples_ >= maxSamples_) promiseWhatWasReached();
-      if (result_.information == 1 || result_.differs()) break;
+      if (!options_.bias && samples_ >= maxSamples()) promiseWhatWasReached();
+      if (result_.information == 1 || result_.differs() || isBeyondBias()) break;
       if (look + 1 == kMaxPairedLooks) break;
       samples = timeLimit_.affordable(watch_.lap(), samples_, wantedSamples(look), samplesPerStep_);
       result_.outOfTime = samples == samples_;
@@ -74,10 +71,18 @@ class PairedTest {
     return std::clamp(kDefaultPaths / pixels, std::uint64_t{1}, kDefaultSamples);
   }
 
+  // Without a requested bias, a run that noise would leave undecided goes on for longer.
+  std::uint64_t maxSamples() const {
+    if (options_.bias) return kMaxPairedSamples;
+    return doubtOf(result_.image(), kMaxOverlooked) == Doubt::noise
+               ? kPatience * std::max(defaultSamples_, samplesPerStep_)
+               : defaultSamples_;
+  }
+
   // The number of samples after the next look: `samples_` and a positive multiple of `samplesPerStep_`.
   std::uint64_t wantedSamples(std::uint32_t look) const {
     const std::uint32_t looksLeft = look + 1 < kMaxLooks ? kMaxLooks - 1 - look : 1;
-    const std::uint64_t wanted = std::min(nextSamples(samples_, result_.information, looksLeft), maxSamples_);
+    const std::uint64_t wanted = std::min(nextSamples(samples_, result_.information, looksLeft), maxSamples());
     return samples_ + divideUp(std::max(wanted, samples_ + 1) - samples_, samplesPerStep_) * samplesPerStep_;
   }
 
@@ -125,36 +130,32 @@ class PairedTest {
     result_.level = level_;
     result_.looks = look + 1;
     if (look == 0) result_.bias = options_.bias.value_or(defaultBias());
-    if (look == 0 && options_.bias) requireAboveMargin(*options_.bias);
     result_.information = std::max(result_.information, sums_.information(0, result_.bias, level_));
   }
 
   double relativeMargin() const {
-    const RegionResult& image = result_.regions.front();
-    return image.referenceMean == 0 ? 0 : image.margin / std::abs(image.referenceMean);
+    const RegionResult& image = result_.image();
+    return image.referenceMean == 0 ? 0 : image.relative(image.excused);
   }
 
-  // The detectable bias, beyond the margin, falls with the root of the number of samples.
+  // No number of samples detects a bias that rounding excuses.
+  bool isBeyondBias() const { return options_.bias && relativeMargin() >= *options_.bias; }
+
+  // The detectable bias, beyond the margin, falls with the root of the number of samples. A verdict must detect
+  // kMaxOverlooked, if rounding does not excuse it.
   double defaultBias() const {
     const double margin = relativeMargin();
     const double noise = result_.regions.front().detectableBias - margin;
     const double later = noise * std::sqrt(static_cast<double>(samples_) /
-                                           static_cast<double>(std::max(maxSamples_, samples_)));
-    return std::max({kPairedBias, kMarginFactor * margin, margin + later});
+                                           static_cast<double>(std::max(defaultSamples_, samples_)));
+    const double bias = std::max({kPairedBias, kMarginFactor * margin, margin + later});
+    return margin < kMaxOverlooked ? std::min(bias, kMaxOverlooked) : bias;
   }
 
   // The first look may underestimate the noise of rare flips.
   void promiseWhatWasReached() {
     result_.bias = std::max(result_.bias, result_.regions.front().detectableBias);
     result_.information = 1;
-  }
-
-  void requireAboveMargin(double bias) const {
-    if (bias > relativeMargin() || result_.differs()) return;
-    throw UsageError(
-        fmt::format("--bias {:g}: rounding in single precision may change the mean of this image by a fraction of "
-                    "{:.2g}, so that a smaller difference is no evidence against a device; choose a larger --bias",
-                    bias, relativeMargin()));
   }
 
   const scene::Scene& scene_;
@@ -170,7 +171,7 @@ class PairedTest {
   double level_;
   std::uint32_t batches_;
   std::uint64_t samplesPerStep_;  ///< per pixel: the smallest number in all batches
-  std::uint64_t maxSamples_;      ///< per pixel; every batch may add one
+  std::uint64_t defaultSamples_;  ///< per pixel; every batch may add one
   std::uint64_t samples_ = 0;     ///< per pixel, so far
   TimeLimit timeLimit_;
   Stopwatch watch_;

@@ -11,10 +11,12 @@ inline constexpr double kPairedBias = 5e-4;
 inline constexpr double kMarginFactor = 3;
 inline constexpr std::uint64_t kDefaultSamples = 32;
 inline constexpr std::uint64_t kDefaultPaths = std::uint64_t{1} << 22;
+/// A run has this many times as many samples at most, if noise would leave its verdict undecided.
+inline constexpr std::uint64_t kPatience = 16;
 
 /// Runs the test. The sample count of `settings` is ignored; the seeds of all batches are derived from its seed.
-/// `scale`: roughly the mean luminance of the image, from other samples. Throws UsageError if `options.bias` is below
-/// the margin of the image, and the exceptions of Renderer::render.
+/// `scale`: roughly the mean luminance of the image, from other samples. The run ends if rounding excuses
+/// `options.bias`, which no number of samples can detect then. Throws as Renderer::render does.
 LightTestResult testLightPaired(const scene::Scene& scene, const render::RenderSettings& settings,
                                 render::Renderer& device, render::Renderer& reference, const LightTestOptions& options,
                                 double scale, const render::RenderControl& control);

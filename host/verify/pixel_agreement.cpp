@@ -86,6 +86,9 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
   if (a.interrupted || b.interrupted) return std::nullopt;
   PixelAgreement result = comparePixels(a, b);
   result.decisions = testDecisions(a.film, *session, level);
+  if (result.decisions.isPossible && settings.image.integrator == render::Integrator::path) {
+    result.undecided = examineUndecided(scene, a.film.width(), *session);
+  }
   result.referenceMean = meanLuminance(b.film);
   return result;
 }
@@ -108,6 +111,7 @@ nlohmann::ordered_json PixelAgreement::json() const {
   for (std::size_t i = 0; i < causes.size(); ++i) json["causes"][kCauseNames[i]] = causes[i];
   json["worst"] = {{"difference", worst}, {"x", worstX}, {"y", worstY}};
   json["decisions"] = decisions.json();
+  json["undecidedDecisions"] = undecided.json();
   return json;
 }
 

@@ -17,14 +17,16 @@ double RegionResult::relativeDifference() const {
 }
 
 RegionResult compareRegion(const Region& region, const statistics::Estimate& device,
-                           const statistics::Estimate& reference, double level) {
-  const double rounding = kRelativeTolerance * std::abs(reference.mean) + kAbsoluteTolerance;
-  RegionResult result{region, device.mean, reference.mean, statistics::welch(device, reference, rounding), rounding};
+                           const statistics::Estimate& reference, double level, double excused) {
+  const double rounding = std::max(excused, kRelativeTolerance * std::abs(reference.mean) + kAbsoluteTolerance);
+  RegionResult result{region,   device.mean, reference.mean, statistics::welch(device, reference, rounding),
+                      rounding, rounding};
   result.differs = result.test.pValue < level;
-  if (result.test.standardError == 0 || reference.mean == 0) return result;
+  if (reference.mean == 0) return result;
+  result.detectableBias = result.relative(rounding);
+  if (result.test.standardError == 0) return result;
   const double critical = statistics::criticalT(level, result.test.degreesOfFreedom);
-  result.detectableBias = (critical + statistics::normalQuantile(kPower)) * result.test.standardError /
-                          std::abs(reference.mean);
+  result.detectableBias += result.relative((critical + statistics::normalQuantile(kPower)) * result.test.standardError);
   return result;
 }
 
@@ -58,6 +60,9 @@ nlohmann::ordered_json regionJson(const RegionResult& result, const char* firstN
           {"reference", result.referenceMean},
           {"difference", result.test.difference},
           {"margin", result.margin},
+          {"excused", result.excused},
+          {"replicaDifference", result.replicaDifference},
+          {"replicaStandardError", result.replicaStandardError},
           {"standardError", result.test.standardError},
           {"degreesOfFreedom", result.test.degreesOfFreedom},
           {"t", result.test.t},

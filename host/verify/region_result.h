@@ -1,5 +1,6 @@
 // The comparison of one region of two images: both means, and the test of their difference.
 #pragma once
+#include <cmath>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -18,19 +19,25 @@ struct RegionResult {
   double deviceMean = 0;
   double referenceMean = 0;
   statistics::WelchTest test;
-  double margin = 0;  ///< difference that rounding may cause
-  double
-      detectableBias = 0;  ///< relative to the reference's mean, detected with probability kPower; 0 if that mean is 0
+  double margin = 0;   ///< difference that rounding may cause
+  double excused = 0;  ///< largest difference that is attributed to rounding: the margin, and the drift of replicas
+  double replicaDifference = 0;     ///< of replicas from the exact samples
+  double replicaStandardError = 0;  ///< of replicaDifference
+  /// Relative to the reference's mean, detected with probability kPower; 0 if that mean is 0; infinite if the test has
+  /// too few values to find any difference.
+  double detectableBias = 0;
   bool differs = false;
 
   /// Returns the signed difference as a fraction of the reference's mean; the difference itself if that mean is 0.
   double relativeDifference() const;
+  /// Returns `amount` as a fraction of the magnitude of the reference's mean, which must not be 0.
+  double relative(double amount) const { return amount / std::abs(referenceMean); }
 };
 
-/// Tests one region at `level`. Differences within the rounding of single precision (kRelativeTolerance of the mean) do
-/// not count.
+/// Tests one region at `level`. Differences within the rounding of single precision (kRelativeTolerance of the mean),
+/// and up to `excused`, do not count.
 RegionResult compareRegion(const Region& region, const statistics::Estimate& device,
-                           const statistics::Estimate& reference, double level);
+                           const statistics::Estimate& reference, double level, double excused = 0);
 
 /// The tests of all regions of two images.
 struct RegionTests {

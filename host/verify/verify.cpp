@@ -31,7 +31,7 @@ struct Questions {
     report.badSamples.add(report.light.badSamples);
     report.interrupted = report.light.interrupted;
     if (!scene.exactMean || report.interrupted) return;
-    report.exact = testExactMean(scene, settings, device, options, report.light, control, report.badSamples.device);
+    report.exact = testExactMean(scene, settings, device, reference, options, report.light, control, report.badSamples);
     report.interrupted = !report.exact;
   }
 

@@ -11,9 +11,6 @@
 
 namespace candela::verify {
 
-/// A verdict that could not detect a bias of this fraction of the image mean is weak.
-inline constexpr double kWeakBias = 0.01;
-
 struct VerifyReport {
   std::string scene;
   render::RenderStatistics deviceStatistics;  ///< statistics of the render for question 1
@@ -25,10 +22,13 @@ struct VerifyReport {
   render::BadSampleTallies badSamples;  ///< of all renders
   bool interrupted = false;
 
-  bool agree() const { return !interrupted && paths.agree() && !light.differs() && (!exact || exact->isMet()); }
-  /// Returns whether the agreement says little: a bias of kWeakBias may have gone unnoticed, or the picture is black.
-  bool isWeak() const;
-  /// Returns one sentence with the result and its certainty, and another if it is weak.
+  /// There is none of an interrupted verification.
+  Conclusion conclusion() const;
+  /// Returns what leaves question 2 undecided, whatever the other questions found.
+  Doubt doubt() const;
+  /// Returns whether noise hides too much from question 3, which found no difference.
+  bool isExactOpen() const;
+  /// Returns one or more sentences with the result and its certainty, or with what leaves it undecided.
   std::string verdict() const;
 };
 
@@ -40,7 +40,13 @@ VerifyReport verifyScene(const scene::Scene& scene, const render::RenderSettings
 
 std::string toText(const VerifyReport& report);
 nlohmann::ordered_json toJson(const VerifyReport& report);
-/// Returns a JUnit test suite with a case for each question. `strict` adds a case for the absence of bad samples.
-std::string toJunit(const VerifyReport& report, bool strict);
+
+/// The choice of what a JUnit test suite counts as a failure.
+struct JunitOptions {
+  bool strict = false;           ///< adds a case for the absence of bad samples
+  bool allowsUndecided = false;  ///< a question that is not decided is skipped, and does not fail
+};
+/// Returns a JUnit test suite with a case for each question.
+std::string toJunit(const VerifyReport& report, const JunitOptions& options);
 
 }  // namespace candela::verify

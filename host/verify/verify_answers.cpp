@@ -12,6 +12,11 @@ std::size_t differingTiles(const LightTestResult& light) {
   return count;
 }
 
+const char* answerText(bool agrees, bool isOpen) {
+  if (!agrees) return "NO";
+  return isOpen ? "not decided" : "yes";
+}
+
 }  // namespace
 
 std::string pathsText(const VerifyReport& report) {
@@ -22,6 +27,7 @@ std::string pathsText(const VerifyReport& report) {
                                                              : "NO",
                                  paths.decisions.summary());
   for (const std::string& line : paths.decisions.details()) text += fmt::format("{:29}{}\n", "", line);
+  for (const std::string& line : paths.undecided.lines()) text += fmt::format("{:29}{}\n", "", line);
   return text + fmt::format(
                     "                             {:.3f} % of {} pixels are equal to {:.0e}\n"
                     "                             first differences of the others:{}\n",
@@ -32,9 +38,13 @@ std::string lightText(const VerifyReport& report) {
   const LightTestResult& light = report.light;
   std::string text = fmt::format(
       "2 Same light?                {}: {} samples per pixel on each side, {} look{}, {} tests at p < {:.1e}\n",
-      light.differs() ? "NO" : "yes", light.samplesPerPixel, light.looks, light.looks == 1 ? "" : "s",
-      light.regions.size(), light.level);
+      answerText(!light.differs(), report.doubt() != Doubt::none), light.samplesPerPixel, light.looks,
+      light.looks == 1 ? "" : "s", light.regions.size(), light.level);
   text += fmt::format("                             {}\n", differenceText(light.image()));
+  if (report.doubt() != Doubt::none) {
+    text += fmt::format("                             {}\n",
+                        doubtText(report.doubt(), light.image(), report.options.maxOverlooked()));
+  }
   const RegionResult& most = light.mostSignificant();
   if (&most != &light.image()) text += fmt::format("                             {}\n", differenceText(most));
   if (const std::size_t tiles = differingTiles(light))
@@ -49,11 +59,12 @@ std::string exactText(const VerifyReport& report) {
   const ExactTest& exact = *report.exact;
   std::string text = fmt::format(
       "3 Right light?               {}: exact {:.6g}, device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})\n",
-      exact.isMet() ? "yes" : "NO", exact.expected, exact.device, exact.devicePValue, exact.reference,
-      exact.referencePValue);
+      answerText(exact.isMet(), report.isExactOpen()), exact.expected, exact.device, exact.devicePValue,
+      exact.reference, exact.referencePValue);
   if (exact.samplesPerPixel == 0) return text;
-  return text +
-         fmt::format("                             {} more samples per pixel on the device\n", exact.samplesPerPixel);
+  text += fmt::format("                             {} more samples per pixel on the device", exact.samplesPerPixel);
+  if (exact.referenceSamplesPerPixel > 0) text += fmt::format(", {} on the reference", exact.referenceSamplesPerPixel);
+  return text + "\n";
 }
 
 }  // namespace candela::verify

@@ -85,7 +85,7 @@ TEST_CASE("bad samples are reported with their number, their pixels and a replay
   CHECK(json["reference"]["firstPixels"].empty());
 }
 
-TEST_CASE("the option --strict turns success with bad samples into exit code 3 and changes no other code") {
+TEST_CASE("the option --strict turns success and doubt with bad samples into exit code 3 and changes no other code") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::quiet);
   Arguments arguments;
@@ -95,6 +95,7 @@ TEST_CASE("the option --strict turns success with bad samples into exit code 3 a
   CHECK(sink.str().empty());
   CHECK(strictly(ExitCode::done, 4, arguments, log) == ExitCode::differ);
   CHECK(sink.str() == "candela: --strict: the run fails because of 4 bad samples; its files are still written\n");
+  CHECK(strictly(ExitCode::undecided, 4, arguments, log) == ExitCode::differ);
   CHECK(strictly(ExitCode::interrupted, 4, arguments, log) == ExitCode::interrupted);
 }
 

@@ -28,13 +28,31 @@ TEST_CASE("films of one scene with two seeds show the same light in verdict and 
   const TemporaryFolder folder;
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string b = renderFilm(folder, "b.exr", "2");
-  const ProgramResult text = runCandela({"compare", a, b});
+  const ProgramResult text = runCandela({"compare", a, b, "--bias", "60%"});
   CHECK(text.exitCode == 0);
   CHECK_THAT(text.out, Contains("A and B show the same light"));
-  const json report = json::parse(runCandela({"compare", a, b, "--alpha", "1%", "--json", "-"}).out);
+  const json report = json::parse(runCandela({"compare", a, b, "--alpha", "1%", "--bias", "60%", "--json", "-"}).out);
   CHECK(report["agrees"] == true);
   CHECK(report["sameLight"]["alpha"] == 0.01);
   CHECK(report["sameLight"]["regions"].size() == 5);  // the image, and tiles of 8 pixels
+}
+
+TEST_CASE(
+    "films whose noise may hide more than 1 % are not decided, with an exit code of its own, unless that is allowed") {
+  const TemporaryFolder folder;
+  const std::string a = renderFilm(folder, "a.exr", "1");
+  const std::string b = renderFilm(folder, "b.exr", "2");
+  const ProgramResult text = runCandela({"compare", a, b});
+  CHECK(text.exitCode == 8);
+  CHECK_THAT(text.out, Contains("same light?           not decided") && Contains("Not decided: noise may hide") &&
+                           Contains("A is") && !Contains("show the same light"));
+  CHECK(runCandela({"compare", a, b, "--allow-undecided", "-q"}).exitCode == 0);
+  const json report = json::parse(runCandela({"compare", a, b, "--json", "-"}).out);
+  CHECK(report["agrees"].is_null());
+  CHECK(report["sameLight"]["undecided"]["reason"] == "noise");
+  const std::string page = folder.path("report.html");
+  runCandela({"compare", a, b, "--report", page, "-q"});
+  CHECK_THAT(readText(page), Contains("verdict undecided") && Contains("It is not decided."));
 }
 
 TEST_CASE("films of different light differ, with exit code 3 and the position, for any sampler") {
@@ -80,7 +98,8 @@ TEST_CASE("the option --tolerance alone replaces the statistical test, and with 
   const std::string c = renderFilm(folder, "c.exr", "3");
   CHECK(runCandela({"compare", a, b, "--tolerance", "1e9"}).exitCode == 0);
   CHECK(runCandela({"compare", a, b, "--tolerance", "1e9", "--alpha", "0.01"}).exitCode == 3);
-  CHECK(runCandela({"compare", b, c, "--tolerance", "1e9", "--alpha", "0.01"}).exitCode == 0);
+  CHECK(runCandela({"compare", b, c, "--tolerance", "1e9", "--alpha", "0.01"}).exitCode == 8);
+  CHECK(runCandela({"compare", b, c, "--tolerance", "1e9", "--alpha", "0.01", "--bias", "60%"}).exitCode == 0);
   CHECK(runCandela({"compare", b, c, "--tolerance", "1e-9", "--alpha", "0.01"}).exitCode == 3);
 }
 
@@ -89,11 +108,11 @@ TEST_CASE("a report on two films is one page, the same each time, written comple
   const std::string a = renderFilm(folder, "a.exr", "1");
   const std::string b = renderFilm(folder, "b.exr", "2");
   const std::string page = folder.path("report.html");
-  CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
+  CHECK(runCandela({"compare", a, b, "--bias", "60%", "--report", page, "-q"}).exitCode == 0);
   const std::string first = readText(page);
   CHECK_THAT(first, Contains("A and B show the same light") && Contains("map-t8") &&
                         Contains("candela render scene.p3f --spp 16"));
-  CHECK(runCandela({"compare", a, b, "--report", page, "-q"}).exitCode == 0);
+  CHECK(runCandela({"compare", a, b, "--bias", "60%", "--report", page, "-q"}).exitCode == 0);
   CHECK(readText(page) == first);
 
   const std::size_t files = folder.fileCount();

@@ -24,6 +24,9 @@ Diagnosis diagnosisOf(TrialOutcome outcome) {
 TEST_CASE("the exit code says whether a render works, and whether its picture is right") {
   CHECK(diagnosisOf(TrialOutcome::works).code() == ExitCode::done);
   CHECK(diagnosisOf(TrialOutcome::wrong).code() == ExitCode::differ);
+  CHECK(diagnosisOf(TrialOutcome::undecided).code() == ExitCode::undecided);
+  CHECK(toJson(diagnosisOf(TrialOutcome::undecided))["agrees"].is_null());
+  CHECK_THAT(toText(diagnosisOf(TrialOutcome::undecided)), Contains("is not decided"));
   CHECK(diagnosisOf(TrialOutcome::fails).code() == ExitCode::noDevice);
   CHECK(Diagnosis{}.code() == ExitCode::noDevice);
 }

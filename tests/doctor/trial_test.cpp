@@ -41,6 +41,15 @@ TEST_CASE("a device that traces other paths is wrong") {
   CHECK_FALSE(trial.check.remedy.empty());
 }
 
+TEST_CASE("a picture that is not decided is a warning with the reason") {
+  const Trial trial = interpretTrial(
+      {{"agrees", nullptr}, {"seconds", 1.0}, {"truncated", 0}, {"report", {{"verdict", "Not decided: noise."}}}});
+  CHECK(trial.outcome == TrialOutcome::undecided);
+  CHECK(trial.check.status == Status::warning);
+  CHECK_THAT(trial.check.text, Catch::Contains("Not decided: noise."));
+  CHECK_FALSE(trial.check.remedy.empty());
+}
+
 TEST_CASE("a device that does not exist fails with the reason") {
   const Trial trial = tryRender("no such device");
   CHECK(trial.outcome == TrialOutcome::fails);

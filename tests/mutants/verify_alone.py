@@ -88,7 +88,7 @@ class Bench:
             done = subprocess.run(command, env=self.environment, capture_output=True, text=True, timeout=RUN_SECONDS, check=False)
         except subprocess.TimeoutExpired:
             return "no end"
-        return json.loads(done.stdout) if done.returncode in (0, 3) else f"exit code {done.returncode}"
+        return json.loads(done.stdout) if done.returncode in (0, 3, 8) else f"exit code {done.returncode}"
 
 
 def judged(outcome, scene, report):
@@ -98,11 +98,11 @@ def judged(outcome, scene, report):
         return False
     image = report["sameLight"]["regions"][0]
     outcome.difference = image["difference"] / image["reference"] if image["reference"] else 0
-    if report["agrees"]:
+    if report["agrees"] is not False:
         return False
     outcome.scene = scene
-    questions = [number for number, failed in (("1", not report["samePaths"]["agrees"]), ("2", not report["sameLight"]["agrees"]),
-                                               ("3", not report.get("rightLight", {"agrees": True})["agrees"])) if failed]
+    questions = [number for number, failed in (("1", report["samePaths"]["agrees"] is False), ("2", report["sameLight"]["agrees"] is False),
+                                               ("3", report.get("rightLight", {"agrees": True})["agrees"] is False)) if failed]
     outcome.question = ", ".join(questions)
     return True
 

@@ -19,7 +19,7 @@ class Verdicts(FolderTest):
         self.assertEqual(str(outcome), outcome.text)
         report = json.loads((self.folder / "report.json").read_text())
         self.assertEqual(without_times(outcome.report), without_times(report))
-        self.assertIs(outcome.agrees, code == 0)
+        self.assertIs(outcome.agrees, {0: True, 3: False, 8: None}[code])
 
     def test_verify(self):
         options = {"size": (24, 24), "device": DEVICE, "alpha": "0.01%"}
@@ -41,13 +41,18 @@ class Verdicts(FolderTest):
         self.assertEqual(worst.text, run("explain", CORNELL, "--size", "24x24", "--device", DEVICE).stdout)
 
     def test_compare_films(self):
-        a, b = (candela.render(cornell(), **SMALL, device="cpu", seed=seed) for seed in (1, 2))
-        darker = candela.render(cornell(env="white", env_scale=0.1), **SMALL, device="cpu", seed=3)
+        options = {**SMALL, "spp": 64, "device": "cpu"}
+        a, b = (candela.render(cornell(), **options, seed=seed) for seed in (1, 2))
+        darker = candela.render(cornell(env="white", env_scale=0.1), **options, seed=3)
         for name, film in (("a", a), ("b", b), ("darker", darker)):
             film.save(self.folder / f"{name}.exr")
         files = {name: self.folder / f"{name}.exr" for name in ("a", "b", "darker")}
-        self.check(candela.compare(a, b), "compare", files["a"], files["b"])
-        self.check(candela.compare(a, files["b"]), "compare", files["a"], files["b"])
+        self.check(candela.compare(a, b, bias=0.9), "compare", files["a"], files["b"], "--bias", "90%")
+        self.check(candela.compare(a, files["b"], bias=0.9), "compare", files["a"], files["b"], "--bias", "90%")
+        undecided = candela.compare(a, b)
+        self.check(undecided, "compare", files["a"], files["b"], code=8)
+        with self.assertRaisesRegex(candela.UndecidedError, "noise may hide"):
+            bool(undecided)
         self.check(candela.compare(a, darker), "compare", files["a"], files["darker"], code=3)
         self.check(candela.compare(a, b, tolerance=1e-9), "compare", files["a"], files["b"], "--tolerance", "1e-9", code=3)
 

@@ -1,5 +1,6 @@
 // Replicas of samples: whose errors count as amplified, so that they leave the margin of the paired test.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "host/reference/reference_renderer.h"
 #include "tests/reference/scene_builder.h"
@@ -72,4 +73,25 @@ TEST_CASE("errors that mirror balls reflect back and forth are amplified, near t
     CHECK(counted.amplified > counted.samples / 200);
     CHECK(counted.amplified < counted.samples / 2);
   }
+}
+
+TEST_CASE("the lean of replicas is the signed sum of differences: rounding alone has little") {
+  render::RenderSettings settings;
+  settings.image.size = {32, 32};
+  settings.image.sampleCount = 16;
+  settings.execution.replicas = 1;
+  SceneBuilder b;
+  b.material(test::diffuseMaterial(vec3(0.7f))).quad({-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0});
+  b.pointLight({1, -2, 3}, vec3(1)).view({0, -4, 2}, {0, 0, 0}, {0, 0, 1}, 40);
+  const auto session = reference::makeReferenceRenderer()->prepare(b.scene, settings);
+  session->advance({0, settings.image.sampleCount}, {});
+  double magnitude = 0;
+  double lean = 0;
+  for (const render::Deviation& deviation : session->replicas().deviations) {
+    magnitude += deviation.magnitude[3];
+    lean += deviation.lean[3];
+    CHECK(std::abs(deviation.lean[3]) <= deviation.magnitude[3]);
+  }
+  CHECK(magnitude > 0);
+  CHECK(std::abs(lean) < 0.3 * magnitude);
 }

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts the false alarms of `candela verify` on an unchanged program, with a fresh seed for each verdict.
+"""Counts the false alarms, and the verdicts that are not decided, of `candela verify` on an unchanged program, with a fresh seed each.
 
     python3 tests/verify/calibrate.py --program build/release/candela [--icd FILE] [--verdicts 1000] [--alpha 0.05]
     python3 tests/verify/calibrate.py --program build/release/candela --sweep [FAMILY ...]
@@ -37,6 +37,7 @@ GLTF_KINDS = ("material-table", "material-furnace", "brushed-table", "brilliants
 DISTANCES = (1e3, 1e4, 1e5, 1e6)
 LIGHTS = {"free": (1, -1, 2), "wall": (0, -4, 1), "corner": (4, 4, 4), "ball": (0.54, 0, 0.72)}
 IMPROBABLE = 0.001
+UNDECIDED = 8  # exit code
 
 
 @dataclass
@@ -65,16 +66,16 @@ def verdict(options, run):
         command += ["--time-limit", options.time_limit]
     environment = {**os.environ, **({"VK_ICD_FILENAMES": options.icd} if options.icd else {})}
     done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    if done.returncode not in (0, 3):
+    if done.returncode not in (0, 3, UNDECIDED):
         print(f"{run.name()}: exit code {done.returncode}: {done.stderr.strip()}", file=sys.stderr)
         return None
     return json.loads(done.stdout)
 
 
 def questions_missed(report):
-    missed = [name for name, failed in (("paths", not report["samePaths"]["agrees"]),
-                                        ("light", not report["sameLight"]["agrees"]),
-                                        ("exact", not report.get("rightLight", {"agrees": True})["agrees"])) if failed]
+    missed = [name for name, failed in (("paths", report["samePaths"]["agrees"] is False),
+                                        ("light", report["sameLight"]["agrees"] is False),
+                                        ("exact", report.get("rightLight", {"agrees": True})["agrees"] is False)) if failed]
     return missed
 
 
@@ -129,7 +130,7 @@ def sweep_runs(options, folder):
 
 
 def execute(options, runs):
-    alarms, failures = [], 0
+    alarms, failures, undecided = [], 0, 0
     with ThreadPoolExecutor(options.jobs) as pool:
         for number, (run, report) in enumerate(zip(runs, pool.map(lambda one: verdict(options, one), runs)), 1):
             failures += report is None
@@ -137,10 +138,13 @@ def execute(options, runs):
             if missed:
                 alarms.append(run)
                 print(f"{run.name()}: {', '.join(missed)}: {report['verdict']}", flush=True)
+            if report and report["undecided"]:
+                undecided += 1
+                print(f"{run.name()}: {report['undecided']['reason']}: {report['verdict']}", flush=True)
             if number % 50 == 0:
                 print(f"{number} verdicts, {len(alarms)} alarms", flush=True)
     probability = upper_tail(len(alarms), len(runs), options.alpha) if alarms else 1
-    print(f"{len(runs)} verdicts at {options.size}, alpha {options.alpha:g}: {len(alarms)} alarms, {failures} runs failed; "
+    print(f"{len(runs)} verdicts at {options.size}, alpha {options.alpha:g}: {len(alarms)} alarms, {undecided} not decided, {failures} runs failed; "
           f"as many or more have probability {probability:.3g} at most if every verdict's is alpha")
     if failures:
         return 2

@@ -47,7 +47,7 @@ Alarms alarmsOf(int pairs, render::SamplerKind sampler, double strength, double 
   Alarms alarms;
   for (int i = 0; i < pairs; ++i) {
     const auto seed = static_cast<std::uint32_t>(2 * i);
-    const FilmTestResult result = testFilms(render(a, sampler, seed), render(b, sampler, seed + 1), alpha);
+    const FilmTestResult result = testFilms(render(a, sampler, seed), render(b, sampler, seed + 1), {.alpha = alpha});
     const double z = result.image().test.difference / result.image().test.standardError;
     alarms.count += result.differs() ? 1 : 0;
     alarms.deviation += z * z / pairs;

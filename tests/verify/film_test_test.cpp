@@ -42,7 +42,7 @@ int falseAlarmsOf(int runs, const FilmOptions& a, const FilmOptions& b, double a
   int alarms = 0;
   for (int i = 0; i < runs; ++i) {
     const auto seed = static_cast<std::uint32_t>(2 * i);
-    alarms += testFilms(noisyFilm(seed, a), noisyFilm(seed + 1, b), alpha).differs() ? 1 : 0;
+    alarms += testFilms(noisyFilm(seed, a), noisyFilm(seed + 1, b), {.alpha = alpha}).differs() ? 1 : 0;
   }
   return alarms;
 }
@@ -64,7 +64,7 @@ TEST_CASE("the error of a region's mean is the root of the sum of its pixels' va
   const image::Image a = twoPixels(1, 3, 4, 8, 4, "1");
   // 4/4 and 4/4: (1 + 1) / 2^2; freedom (1 + 1)^2 / (1/3 + 1/3) = 6.
   const image::Image b = twoPixels(1, 2, 4, 4, 4, "2");
-  const FilmTestResult result = testFilms(a, b, 0.01);
+  const FilmTestResult result = testFilms(a, b, {.alpha = 0.01});
   REQUIRE(result.regions.size() == 1);
   CHECK(result.level == Approx(0.01));
   CHECK(result.image().deviceMean == Approx(2));
@@ -76,14 +76,16 @@ TEST_CASE("the error of a region's mean is the root of the sum of its pixels' va
 }
 
 TEST_CASE("a pixel with unequal counts has the larger of the two variances") {
-  const FilmTestResult result = testFilms(twoPixels(1, 1, 4, 0, 4, "1"), twoPixels(1, 1, 0, 16, 16, "2"), 0.01);
+  const FilmTestResult result = testFilms(twoPixels(1, 1, 4, 0, 4, "1"), twoPixels(1, 1, 0, 16, 16, "2"),
+                                          {.alpha = 0.01});
   // (4 + 16) / 4 / 2^2 + (4 + 16) / 16 / 2^2
   CHECK(result.image().test.standardError == Approx(std::sqrt(1.25 + 0.3125)));
 }
 
 TEST_CASE("images without noise are equal up to rounding, or differ for certain") {
-  CHECK_FALSE(testFilms(twoPixels(1, 1, 0, 0, 4, "1"), twoPixels(1.0001f, 1, 0, 0, 4, "2"), 0.01).differs());
-  const FilmTestResult result = testFilms(twoPixels(1, 1, 0, 0, 4, "1"), twoPixels(1.01f, 1, 0, 0, 4, "2"), 0.01);
+  CHECK_FALSE(testFilms(twoPixels(1, 1, 0, 0, 4, "1"), twoPixels(1.0001f, 1, 0, 0, 4, "2"), {.alpha = 0.01}).differs());
+  const FilmTestResult result = testFilms(twoPixels(1, 1, 0, 0, 4, "1"), twoPixels(1.01f, 1, 0, 0, 4, "2"),
+                                          {.alpha = 0.01});
   CHECK(result.differs());
   CHECK_THAT(result.verdict(), Contains("darker in A (p < 1e-300 over all tests)"));
 }
@@ -104,7 +106,7 @@ TEST_CASE("fireflies that one side has not seen yet raise no alarm") {
 
 TEST_CASE("a bias of the size that the verdict calls detectable is detected in 99 of 100 comparisons, on either side") {
   // sigma = mean, 16 x 16 x 16 samples: standard error 2^0.5 / 64 of the mean; level 1e-4 / 5 at 5 tests.
-  const double detectable = testFilms(noisyFilm(1, {}), noisyFilm(2, {}), 1e-4).image().detectableBias;
+  const double detectable = testFilms(noisyFilm(1, {}), noisyFilm(2, {}), {.alpha = 1e-4}).image().detectableBias;
   CHECK(detectable == Approx((4.2649 + 2.3263) * std::sqrt(2.0) / 64).epsilon(0.05));
   CHECK(falseAlarmsOf(100, {.factor = 1 + 1.1 * detectable}, {}, 1e-4) >= 99);
   CHECK(falseAlarmsOf(100, {.factor = 1 / (1 + 1.1 * detectable)}, {}, 1e-4) >= 98);
@@ -113,11 +115,11 @@ TEST_CASE("a bias of the size that the verdict calls detectable is detected in 9
 TEST_CASE("a difference in one tile is reported at this tile") {
   image::Image a = noisyFilm(1, {.side = 32, .samples = 64});
   const image::Image b = noisyFilm(2, {.side = 32, .samples = 64});
-  CHECK_FALSE(testFilms(a, b, 1e-4).differs());
+  CHECK_FALSE(testFilms(a, b, {.alpha = 1e-4}).differs());
   for (std::uint32_t y = 8; y < 16; ++y) {
     for (std::uint32_t x = 24; x < 32; ++x) a.at(x, y) *= 1.25f;
   }
-  const FilmTestResult result = testFilms(a, b, 1e-4);
+  const FilmTestResult result = testFilms(a, b, {.alpha = 1e-4});
   REQUIRE(result.differs());
   CHECK_FALSE(result.image().differs);
   CHECK_THAT(result.verdict(), Contains("tile 8x8 at 24,8") && Contains("brighter in A"));

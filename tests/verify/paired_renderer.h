@@ -41,7 +41,8 @@ class PairedRenderer final : public render::Renderer {
       if (control.stop != nullptr && *control.stop) return false;
       const render::Extent size = settings_.image.window().extent();
       film_ = image::Film(size.width, size.height);
-      records_.deviations.assign(std::size_t{size.width} * size.height, {});
+      const bool hasReplicas = settings_.execution.replicas > 0;
+      records_.deviations.assign(hasReplicas ? std::size_t{size.width} * size.height : 0, {});
       std::mt19937 shared(settings_.image.seed);
       std::mt19937 own(settings_.image.seed ^ (renderer_.role_ == PairedRole::device ? 0x5bd1e995u : 0x1b873593u));
       for (std::uint32_t y = 0; y < size.height; ++y) {
@@ -65,7 +66,7 @@ class PairedRenderer final : public render::Renderer {
       statistics.truncated = isTruncated ? renderer_.options_.truncated : 0;
       return statistics;
     }
-    render::PathRecords paths() override { return {}; }
+    render::PathRecords paths() override { return render::PathRecords(film_.pixels().size()); }
     render::ReplicaRecords replicas() override { return records_; }
     render::Replay replay(const render::PixelSample&) override { throw std::logic_error("noise has no paths"); }
 
@@ -82,8 +83,11 @@ class PairedRenderer final : public render::Renderer {
         return;
       }
       film_.addSample(x, y, glm::dvec3(value * options.referenceFactor), index);
+      if (records_.deviations.empty()) return;
       const double deviation = std::abs(error) + (mayFlip && isUp ? options.jump : 0);
-      records_.deviations[std::size_t{y} * film_.width() + x].magnitude += deviation;
+      render::Deviation& sum = records_.deviations[std::size_t{y} * film_.width() + x];
+      sum.magnitude += deviation;
+      sum.lean += error + (mayFlip && isUp ? options.jump : 0);
     }
 
     const PairedRenderer& renderer_;

@@ -82,13 +82,26 @@ TEST_CASE("a paired bias of one tile of 0.02 % is found there") {
   }
 }
 
-TEST_CASE("a bias below the margin is refused with the reason") {
+TEST_CASE("a bias below the margin ends the run at its first look, and is not decided") {
   const PairedOptions options{.flips = 0.01, .jump = 1};
-  CHECK_THROWS_WITH(runPaired(options, 1, {.bias = 1e-3}),
-                    Contains("--bias 0.001: rounding in single precision may change"));
-  const LightTestResult result = runPaired(options, 1);
-  CHECK(result.bias > 0.025);
+  const LightTestResult refused = runPaired(options, 1, {.bias = 1e-3});
+  CHECK(refused.looks == 1);
+  CHECK(refused.information < 1);
+  CHECK(doubtOf(refused.image(), 1e-3) == Doubt::rounding);
+  const LightTestResult result = runPaired({.flips = 0.02, .jump = 1}, 1);
+  CHECK(result.bias > 0.05);
   CHECK(result.bias < 0.1);
+}
+
+TEST_CASE("a run that noise would leave undecided goes on until it detects 1 %") {
+  const PairedOptions rareFlips{.flips = 1e-4, .jump = 20};
+  const LightTestResult result = runPaired(rareFlips, 4);
+  const LightTestResult shorter = runPaired(rareFlips, 4, {.timeLimit = 0.0});
+  CAPTURE(result.samplesPerPixel, result.image().detectableBias);
+  CHECK(doubtOf(shorter.image(), kMaxOverlooked) == Doubt::noise);
+  CHECK(doubtOf(result.image(), kMaxOverlooked) == Doubt::none);
+  CHECK(result.samplesPerPixel > kDefaultSamples);
+  CHECK(result.samplesPerPixel > shorter.samplesPerPixel);
 }
 
 TEST_CASE("images of few pixels have enough values by more batches") {
@@ -134,7 +147,7 @@ TEST_CASE("loops that a device ends early in the images of one sample are counte
   render::RenderSettings settings;
   settings.image.size = {16, 16};
   settings.image.sampleCount = 4;
-  CHECK(compareTracers(scene::Scene{}, settings, device, reference, 1e-4, {}).deviceStatistics.truncated == 3);
+  CHECK(compareTracers(scene::Scene{}, settings, device, reference, {}, {}).deviceStatistics.truncated == 3);
   CHECK_THROWS_WITH(verifyScene(scene::Scene{}, settings, device, reference, {}, {}),
                     Contains("stopped 3 loops early"));
 }

@@ -27,6 +27,7 @@ from ._errors import (
     NoDeviceError,
     OutOfMemoryError,
     SceneError,
+    UndecidedError,
     UsageError,
 )
 
@@ -45,6 +46,7 @@ __all__ = [
     "Scene",
     "SceneError",
     "Session",
+    "UndecidedError",
     "UsageError",
     "Verdict",
     "__version__",

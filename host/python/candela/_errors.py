@@ -51,5 +51,11 @@ class OutOfMemoryError(Error, MemoryError):
     exit_code = 6
 
 
+class UndecidedError(Error):
+    """A verdict that is not decided was used as a condition."""
+
+    exit_code = 8
+
+
 class InternalError(Error):
     """An error in Candela itself, or in a driver."""

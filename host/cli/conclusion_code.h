@@ -1,0 +1,16 @@
+// The exit code of a verdict.
+#pragma once
+#include "host/cli/arguments.h"
+#include "host/core/errors.h"
+#include "host/verify/conclusion.h"
+
+namespace candela::cli {
+
+/// Returns ExitCode::undecided for a verdict that is not decided, unless --allow-undecided makes it a success.
+inline ExitCode exitCodeOf(verify::Conclusion conclusion, const Arguments& arguments) {
+  if (conclusion == verify::Conclusion::different) return ExitCode::differ;
+  const bool isOpen = conclusion == verify::Conclusion::undecided && !arguments.allowUndecided;
+  return isOpen ? ExitCode::undecided : ExitCode::done;
+}
+
+}  // namespace candela::cli
