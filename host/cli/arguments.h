@@ -107,7 +107,8 @@ struct Arguments {
   bool mixedDevices = false;            ///< for `merge`
   bool partial = false;                 ///< for `merge`
 
-  std::optional<double> tolerance;  ///< maximum relMSE that passes
+  std::optional<double> tolerance;    ///< maximum relMSE that passes
+  std::vector<std::string> channels;  ///< that are compared; empty: all but statistics
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;
 

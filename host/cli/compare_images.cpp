@@ -14,6 +14,12 @@
 namespace candela::cli {
 namespace {
 
+image::Image readPicture(const std::string& file, const Log& log) {
+  image::Image picture = image::readImage(file, image::ImageParts::withLayers);
+  for (const std::string& warning : picture.warnings) log.warning(fmt::format("{}: {}", file, warning));
+  return picture;
+}
+
 void writePictures(const Arguments& arguments, const image::Image& a, const image::Image& reference,
                    const image::FlipResult& flip) {
   constexpr image::DisplayTransform kAsTheyAre{};  // the pictures are already display-referred
@@ -31,15 +37,19 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   }
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   requireWritableReport(arguments.json);
-  const image::Image a = image::readImage(arguments.files[0]);
-  const image::Image reference = image::readImage(arguments.files[1]);
+  image::Image a = readPicture(arguments.files[0], log);
+  image::Image reference = readPicture(arguments.files[1], log);
   const ImagePair pair = comparePair(arguments, a, reference);
+  const bool isApart = !pair.verdict.whyApart.empty();
 
-  writePictures(arguments, a, reference, pair.flip);
+  if (!isApart) writePictures(arguments, a, reference, pair.flip);
   if (arguments.wantsText()) std::cout << toText(pair) << std::flush;
   writeJson(arguments.json, toJson(pair));
-  if (!arguments.report.empty()) {
+  if (!arguments.report.empty() && !isApart) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));
+  }
+  if (isApart && !(arguments.differenceFile.empty() && arguments.flipFile.empty() && arguments.report.empty())) {
+    log.note("pictures in different places have no picture of their difference, and no report; none is written");
   }
   if (pair.badSamples() > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples()));
   return strictly(pair.verdict.passes() ? ExitCode::done : ExitCode::differ, pair.badSamples(), arguments, log);

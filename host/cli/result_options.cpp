@@ -77,8 +77,10 @@ std::vector<Option> filmOptions() {
 std::vector<Option> comparisonOptions() {
   constexpr OptionGroup kGroup = OptionGroup::comparison;
   return {
-    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass"},
+    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass, by their colours and by each other channel; ids must be equal"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
+    valued({"--channels", kCompare, kGroup, "channels to compare, separated by commas: R, G, B, A, Z, a layer such as albedo or N, or one of its channels (default: all that both images have, except statistics)"},
+           nameList("NAMES", "names of channels, separated by commas"), [](auto& a) -> auto& { return a.channels; }),
     valued({"--alpha", kCompare, kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
            fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     path({"--diff", kCompare, kGroup, "write a picture of the differences: orange where A is brighter, blue where A is darker"}, "FILE", [](auto& a) -> auto& { return a.differenceFile; }),

@@ -30,8 +30,9 @@ class ExrPixels {
   void addVariance() { add(kVarianceChannel, Imf::FLOAT, image_.luminanceVariance.data(), sizeof(float)); }
   void addSamples() { add(kSamplesChannel, Imf::UINT, image_.sampleCounts.data(), sizeof(std::uint32_t)); }
   void addBadSamples() { add(kBadSamplesChannel, Imf::UINT, image_.badSampleCounts.data(), sizeof(std::uint32_t)); }
-  void addChannel(const Channel& channel) {
-    add(channel.name.c_str(), Imf::FLOAT, channel.values.data(), sizeof(float));
+  /// `type` is FLOAT or UINT, which have equal sizes.
+  void addChannel(const Channel& channel, Imf::PixelType type = Imf::FLOAT) {
+    add(channel.name.c_str(), type, channel.values.data(), sizeof(float));
   }
   const Imf::FrameBuffer& frameBuffer() const { return frameBuffer_; }
 

@@ -13,6 +13,7 @@
 #include "host/core/errors.h"
 #include "host/image/byte_cursor.h"
 #include "host/image/exr_attribute.h"
+#include "host/image/exr_layers.h"
 #include "host/image/exr_pixels.h"
 
 namespace candela::image {
@@ -67,24 +68,32 @@ void limitSizes() {
   static_cast<void>(limited);
 }
 
+PixelBox boxOf(const Imath::Box2i& window) {
+  return {window.min.x, window.min.y, std::int64_t{window.max.x} - window.min.x + 1,
+          std::int64_t{window.max.y} - window.min.y + 1};
+}
+
 Imath::Box2i checkedWindow(const Imf::Header& header) {
   const Imath::Box2i window = header.dataWindow();
-  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  if (width < 1 || height < 1) throw FileError("the data window is empty");
-  checkImageSize(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
+  const PixelBox box = boxOf(window);
+  if (box.isEmpty()) throw FileError("the data window is empty");
+  checkImageSize(static_cast<std::uint64_t>(box.width), static_cast<std::uint64_t>(box.height));
   return window;
 }
 
 /// Refuses files that claim more pixels than they can contain. Deflate expands one byte to at most 1032, the other
-/// methods to fewer, and a pixel has at least two bytes. DWA stores at least a value of two bytes, which it deflates,
-/// for each square of 8 x 8 pixels.
+/// methods to fewer, and a pixel has at least two bytes for each channel. DWA stores at least a value of two bytes,
+/// which it deflates, for each square of 8 x 8 pixels.
 void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
+  std::size_t channelCount = 0;
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+    if (channel.channel().xSampling == 1 && channel.channel().ySampling == 1) ++channelCount;
+  }
   constexpr std::size_t kMaxPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
   const bool isDwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
   const std::size_t maximum = isDwa ? 64 * kMaxPixelsPerByte : kMaxPixelsPerByte;
-  if (pixelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
+  if (pixelCount * channelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 
 bool hasChannel(const Imf::Header& header, const char* name) {
@@ -117,7 +126,7 @@ std::map<std::string, std::string> metadataOf(const Imf::Header& header) {
   return metadata;
 }
 
-Image decode(ByteView bytes) {
+Image decode(ByteView bytes, ImageParts parts) {
   limitSizes();
   checkHeader(bytes);
   MemoryInput input(bytes);
@@ -127,8 +136,11 @@ Image decode(ByteView bytes) {
   const Imath::Box2i window = checkedWindow(header);
 
   Image image;
-  image.width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
-  image.height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
+  const PixelBox box = boxOf(window);
+  image.width = static_cast<std::uint32_t>(box.width);
+  image.height = static_cast<std::uint32_t>(box.height);
+  image.origin = {box.x, box.y};
+  image.frame = boxOf(header.displayWindow());
   const std::size_t pixelCount = std::size_t{image.width} * image.height;
   checkPlausible(header, pixelCount, bytes.size());
   image.rgb.resize(pixelCount);
@@ -137,6 +149,7 @@ Image decode(ByteView bytes) {
   if (hasChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
   if (hasChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
   image.metadata = metadataOf(header);
+  if (parts == ImageParts::withLayers) addLayerChannels(header, pixelCount, image);
 
   ExrPixels pixels(image, window);
   addColour(header, pixels);
@@ -144,6 +157,10 @@ Image decode(ByteView bytes) {
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
   if (!image.badSampleCounts.empty()) pixels.addBadSamples();
+  for (const Channel& channel : image.channels) {
+    const bool isInteger = header.channels().findChannel(channel.name)->type == Imf::UINT;
+    pixels.addChannel(channel, isInteger ? Imf::UINT : Imf::FLOAT);
+  }
   file.setFrameBuffer(pixels.frameBuffer());
   file.readPixels(window.min.y, window.max.y);
   if (!hasChannel(header, "R")) {
@@ -154,7 +171,7 @@ Image decode(ByteView bytes) {
 
 }  // namespace
 
-Image decodeExr(ByteView file) try { return decode(file); } catch (const Iex::BaseExc& error) {
+Image decodeExr(ByteView file, ImageParts parts) try { return decode(file, parts); } catch (const Iex::BaseExc& error) {
   throw FileError(fmt::format("not a valid EXR file: {}", error.what()));
 }
 

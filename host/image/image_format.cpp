@@ -29,13 +29,14 @@ std::optional<FileFormat> formatByExtension(const fs::path& file) {
 }  // namespace
 
 FileFormat formatByContent(ByteView bytes) {
-  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
+  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 12));
   if (start.starts_with("\x89PNG")) return FileFormat::png;
   if (start.starts_with("\xff\xd8")) return FileFormat::jpeg;
+  if (start.starts_with("RIFF") && start.ends_with("WEBP")) return FileFormat::webp;
   if (start.starts_with("#?")) return FileFormat::hdr;
   if (start.starts_with("PF") || start.starts_with("Pf")) return FileFormat::pfm;
   if (start.starts_with("\x76\x2f\x31\x01")) return FileFormat::exr;
-  throw FileError("not a PNG, JPEG, HDR, PFM or EXR file");
+  throw FileError("not a PNG, JPEG, WebP, HDR, PFM or EXR file");
 }
 
 FileFormat requireFormat(const fs::path& file) {
@@ -45,7 +46,9 @@ FileFormat requireFormat(const fs::path& file) {
                                file.string()));
 }
 
-bool hasImageExtension(const fs::path& file) { return formatByExtension(file).has_value(); }
+bool hasImageExtension(const fs::path& file) {
+  return formatByExtension(file).has_value() || extensionOf(file) == ".webp";
+}
 
 void checkImageFormat(const fs::path& file) { requireFormat(file); }
 

@@ -104,14 +104,20 @@ void requirePlausible(std::uint64_t pixelCount, std::size_t fileSize) {
 
 }  // namespace
 
-Pixels8 decodeJpeg(ByteView file) {
+Texels decodeJpeg(ByteView file) {
   JpegReader reader(file);
   checkImageSize(reader.width(), reader.height());
   requirePlausible(std::uint64_t{reader.width()} * reader.height(), file.size());
-  const std::size_t byteCount = std::size_t{3} * reader.width() * reader.height();
-  Pixels8 pixels{reader.width(), reader.height(), std::vector<std::uint8_t>(byteCount)};
-  reader.readRgb(pixels.rgb.data());
-  return pixels;
+  const std::size_t pixelCount = std::size_t{reader.width()} * reader.height();
+  std::vector<std::uint8_t> rgb(3 * pixelCount);
+  reader.readRgb(rgb.data());
+  constexpr std::uint32_t kOpaque = 255u << 24;
+  Texels texels{reader.width(), reader.height(), std::vector<std::uint32_t>(pixelCount)};
+  for (std::size_t i = 0; i < pixelCount; ++i) {
+    const std::uint8_t* const pixel = &rgb[3 * i];
+    texels.rgba[i] = pixel[0] | std::uint32_t{pixel[1]} << 8 | std::uint32_t{pixel[2]} << 16 | kOpaque;
+  }
+  return texels;
 }
 
 }  // namespace candela::image

@@ -1,10 +1,15 @@
 // Image files as other programs write them.
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfTiledRgbaFile.h>
 #include <jpeglib.h>
 #include <png.h>
 
+#include <bit>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -119,10 +124,31 @@ TEST_CASE("16-bit PNG files are rounded to 8 bits without a change of gamma") {
         std::vector<int>{128, 1, 255, 128, 129, 0});
 }
 
+TEST_CASE("images of 16-bit PNG files have 16 bits, and alpha unless all pixels are opaque") {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", 2, {0x80, 0x80, 0x80, 0x81, 0, 0, 0xff, 0xff, 0xff, 0xff, 0, 0, 0xff, 0xff, 0x40, 0x00},
+              {16, PNG_COLOR_TYPE_RGBA});
+  const Image image = readImage(folder / "a.png");
+  const auto linear = [](double signal) { return std::pow((signal / 65535 + 0.055) / 1.055, 2.4); };
+  CHECK(image.at(0, 0).x == Approx(linear(0x8080)).epsilon(1e-7));
+  CHECK(image.at(0, 0).y == Approx(linear(0x8081)).epsilon(1e-7));
+  CHECK(image.at(0, 0).x != image.at(0, 0).y);
+  CHECK(image.alpha == std::vector<float>{1, static_cast<float>(0x4000) / 65535});
+  CHECK(image.at(1, 0) == glm::vec3(image.alpha[1], 0, image.alpha[1]));
+  writePngRow(folder / "b.png", 1, {0x80, 0x80, 0x80, 0x81, 0, 0, 0xff, 0xff}, {16, PNG_COLOR_TYPE_RGBA});
+  CHECK(readImage(folder / "b.png").alpha.empty());
+}
+
+TEST_CASE("a PNG of 16 bits and gamma 1/1.8 is converted by its gamma") {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", 1, {0x40, 0x01, 0xff, 0xff, 0, 0}, {16, PNG_COLOR_TYPE_RGB, {}, 1 / 1.8});
+  CHECK(readImage(folder / "a.png").at(0, 0).x == Approx(std::pow(16385.0 / 65535, 1.8)).epsilon(1e-4));
+}
+
 TEST_CASE("transparent PNG pixels are composited over black in linear light") {
-  // Half opacity, 128/255, of white: libpng takes sRGB for gamma 2.2 here, 0.50196^(1/2.2) * 255 = 186.4.
+  // Half opacity, 128/255 = 0.50196, of white: (1.055 * 0.50196^(1/2.4) - 0.055) * 255 = 187.8.
   CHECK(pngPixels(3, {255, 255, 255, 255, 9, 9, 9, 0, 255, 255, 255, 128}, {8, PNG_COLOR_TYPE_RGBA}) ==
-        std::vector<int>{255, 255, 255, 0, 0, 0, 186, 186, 186});
+        std::vector<int>{255, 255, 255, 0, 0, 0, 188, 188, 188});
 }
 
 TEST_CASE("a PNG of gamma 1 is encoded as sRGB") {
@@ -180,6 +206,35 @@ TEST_CASE("an EXR file of luminance alone is grey, one with chroma is refused") 
   CHECK(image.at(3, 1).y == image.at(3, 1).x);
   CHECK(image.at(3, 1).z == image.at(3, 1).x);
   CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("R, G and B"));
+}
+
+TEST_CASE("channels of integers are ids, whose bits are preserved, and subsampled channels are named") {
+  TemporaryFolder folder;
+  const std::vector<float> grey(4, 0.5f);
+  const std::vector<std::uint32_t> ids{1, 0x7f800001u, 0xffffffffu, 16777217};
+  Imf::Header header(4, 1);
+  Imf::FrameBuffer pixels;
+  const Imath::Box2i window = header.dataWindow();
+  header.channels().insert("id", Imf::Channel(Imf::UINT));
+  pixels.insert("id", Imf::Slice::Make(Imf::UINT, ids.data(), window, 4, 16));
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    pixels.insert(name, Imf::Slice::Make(Imf::FLOAT, grey.data(), window, 4, 16));
+  }
+  header.channels().insert("chroma", Imf::Channel(Imf::FLOAT, 2, 1));
+  pixels.insert("chroma", Imf::Slice::Make(Imf::FLOAT, grey.data(), window, 4, 16, 2, 1));
+  {
+    Imf::OutputFile file((folder / "a.exr").c_str(), header);
+    file.setFrameBuffer(pixels);
+    file.writePixels(1);
+  }
+  const Image image = readImage(folder / "a.exr", ImageParts::withLayers);
+  REQUIRE(image.channels.size() == 1);
+  CHECK(image.channels[0].isId);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    CHECK(std::bit_cast<std::uint32_t>(image.channels[0].values[i]) == ids[i]);
+  REQUIRE(image.warnings.size() == 1);
+  CHECK_THAT(image.warnings[0], Catch::Contains("\"chroma\" is not read"));
 }
 
 TEST_CASE("an EXR file with DWA compression is read, and refused if it claims more pixels than its blocks can hold") {

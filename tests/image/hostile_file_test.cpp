@@ -66,7 +66,14 @@ TEST_CASE("damaged HDR files are refused") { attack(encodeHdr(testImage(20, 9)),
 
 TEST_CASE("damaged PFM files are refused") { attack(encodePfm(testImage(20, 9)), decodePfm, 0); }
 
-TEST_CASE("damaged EXR files are refused") { attack(encodeExr(testImage(20, 9)), decodeExr, 0); }
+TEST_CASE("damaged EXR files are refused") {
+  Image image = testImage(20, 9);
+  image.channels = {{"Z", std::vector<float>(20 * 9, 2)}, {"N.X", std::vector<float>(20 * 9, 0.5f)}};
+  for (const ImageParts parts : {ImageParts::picture, ImageParts::withLayers}) {
+    attack(
+        encodeExr(image), [parts](ByteView file) { return decodeExr(file, parts); }, 0);
+  }
+}
 
 TEST_CASE("images beyond the limits of size are refused before memory is allocated") {
   CHECK_THROWS_WITH(decodePfm(toBytes("PF 65536 1 -1\n")), Catch::Contains("exceed the limits"));

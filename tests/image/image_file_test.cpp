@@ -66,6 +66,40 @@ TEST_CASE("EXR files without variance and counts are read without them") {
   CHECK(back.metadata.empty());
 }
 
+TEST_CASE("EXR files preserve the channels of layers and the windows") {
+  TemporaryFolder folder;
+  Image image = testImage(3, 2);
+  image.channels = {{"N.X", {1, 2, 3, 4, 5, 6}}, {"Z", {1e10f, 1, 2, 3, 4, 5}}, {"sqrt.R", {1, 1, 1, 1, 1, 1}}};
+  image.origin = {-2, 5};
+  image.frame = PixelBox{0, 0, 40, 30};
+  writeImage(folder / "a.exr", image, {});
+  CHECK(readImage(folder / "a.exr").channels.empty());
+  const Image back = readImage(folder / "a.exr", ImageParts::withLayers);
+  REQUIRE(back.channels.size() == 2);  // the third is a statistic
+  CHECK(back.channels[0].name == "N.X");
+  CHECK(back.channels[0].values == image.channels[0].values);
+  CHECK(back.channels[1].values == image.channels[1].values);
+  CHECK(windowOf(back) == PixelBox{-2, 5, 3, 2});
+  CHECK(frameOf(back) == PixelBox{0, 0, 40, 30});
+  image.origin.x = std::int64_t{1} << 40;
+  CHECK_THROWS_WITH(writeImage(folder / "b.exr", image, {}), Catch::Contains("too far from the origin"));
+}
+
+TEST_CASE("the first and third channels of Cryptomatte files are ids") {
+  TemporaryFolder folder;
+  Image image = testImage(1, 1);
+  image.metadata = {{"cryptomatte/1234567/name", "Objects"}};
+  for (const char* name : {"Objects00.r", "Objects00.g", "Objects00.b", "Objects00.a", "Objects.r", "Objects01.Red"}) {
+    image.channels.push_back({name, {0.5f}});
+  }
+  writeImage(folder / "a.exr", image, {});
+  for (const Channel& channel : readImage(folder / "a.exr", ImageParts::withLayers).channels) {
+    CAPTURE(channel.name);
+    CHECK(channel.isId ==
+          (channel.name == "Objects00.r" || channel.name == "Objects00.b" || channel.name == "Objects01.Red"));
+  }
+}
+
 TEST_CASE("EXR metadata cannot overwrite attributes of the format") {
   TemporaryFolder folder;
   Image image = testImage(1, 1);
@@ -269,6 +303,5 @@ TEST_CASE("errors of image files name the file") {
   CHECK_THROWS_AS(readImage(folder.path()), FileError);
   writeText(folder / "text.png", "hello");
   CHECK_THROWS_WITH(readPixels8(folder / "text.png"), Catch::Contains("text.png"));
-  writeImage(folder / "a.pfm", testImage(1, 1), {});
-  CHECK_THROWS_WITH(readPixels8(folder / "a.pfm"), Catch::Contains("not a PNG or JPEG"));
+  CHECK_THROWS_WITH(readImage(folder / "text.png"), Catch::Contains("not a PNG, JPEG, WebP, HDR, PFM or EXR file"));
 }
