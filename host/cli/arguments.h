@@ -1,5 +1,6 @@
 // The parsed command line.
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -149,6 +150,11 @@ struct Arguments {
   std::set<std::string> given;  ///< long names of the options on the command line
 
   bool usesReference() const { return device == render::kReferenceDevice; }
+  /// Returns whether an image is written to stdout, so that all texts go to stderr.
+  bool writesImageToStdout() const {
+    return std::ranges::any_of(outputs, image::isStandardOutput) || image::isStandardOutput(differenceFile) ||
+           image::isStandardOutput(flipFile);
+  }
   /// Returns whether a reporting command prints its report as text.
   bool wantsText() const { return !quiet && json != "-" && markdown != "-" && svg != "-"; }
   Verbosity verbosity() const {

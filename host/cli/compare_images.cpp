@@ -1,8 +1,8 @@
 // `candela compare A B`: computes the differences between two images, and judges them.
 #include <fmt/format.h>
 
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
@@ -10,6 +10,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/report_page.h"
+#include "host/cli/text_output.h"
 
 namespace candela::cli {
 namespace {
@@ -43,7 +44,7 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   const bool isApart = !pair.verdict.whyApart.empty();
 
   if (!isApart) writePictures(arguments, a, reference, pair.flip);
-  if (arguments.wantsText()) std::cout << toText(pair) << std::flush;
+  if (arguments.wantsText()) textStream(arguments) << toText(pair) << std::flush;
   writeJson(arguments.json, toJson(pair));
   if (!arguments.report.empty() && !isApart) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));

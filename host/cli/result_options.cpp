@@ -37,7 +37,7 @@ Option denoiseFlag(const Row& row) {
 std::vector<Option> outputOptions() {
   constexpr OptionGroup kGroup = OptionGroup::output;
   return {
-    paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
+    paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); `-`: a PNG file to stdout, `-.exr`: an EXR file, and so on; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
     valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}; `id` and `material` are short names of the last two, and `all` means every layer", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.request.settings.image.layers; }),

@@ -117,7 +117,8 @@ void takeRow(ByteCursor& cursor, std::vector<Rgbe>& row) {
   for (std::size_t channel = 0; channel < 4; ++channel) takeChannel(cursor, row, channel);
 }
 
-/// Returns m * 2^(e - 136), as most programs do, so that 1 stays 1. (Ward's own code adds 1/2 to m.)
+/// Returns m * 2^(e - 136), as most programs do, so that 1 stays 1 and files with rounded mantissas, such as those of
+/// encodeHdr(), have no bias. (Ward's own code truncates when it writes, and adds 1/2 to m when it reads.)
 glm::vec3 toLinear(const Rgbe& pixel, double exposure) {
   if (pixel[3] == 0) return glm::vec3(0);
   const double unit = std::ldexp(1.0, int{pixel[3]} - 136) / exposure;

@@ -104,6 +104,10 @@ Image toImage(const Pixels8& pixels);
 /// texel is not opaque.
 Image toImage(const Texels& texels);
 
+/// Returns whether the name stands for stdout: `-`, which receives a PNG file, or `-.exr` and so on, which name the
+/// format. (`./-.exr` is a file.)
+bool isStandardOutput(const std::filesystem::path& file);
+
 /// Checks the file name. Formats, by extension in any case: .png (8 bits, display transform, straight alpha), .jpg and
 /// .jpeg (quality 95), .hdr (Radiance RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32
 /// linear Rec. 709, ZIP; channels R G B and, if the image has them, A, by which R G B are multiplied, `variance.Y`,
@@ -116,9 +120,9 @@ bool hasImageExtension(const std::filesystem::path& file);
 bool isEightBit(const std::filesystem::path& file);
 /// Returns whether such a file is an EXR file, which has the channels of layers. Throws as checkImageFormat does.
 bool isExr(const std::filesystem::path& file);
-/// Writes an image file atomically: an error leaves no incomplete file. Equal images give equal bytes. Throws
-/// UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that EXR
-/// reserves, or if the file cannot be written.
+/// Writes an image file atomically, or to stdout: an error leaves no incomplete file. Equal images give equal bytes.
+/// Throws UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that
+/// EXR reserves, or if the file cannot be written.
 void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
 enum class ImageParts {
   picture,     ///< colours, alpha, variances, counts and metadata

@@ -6,6 +6,7 @@
 
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/core/standard_output.h"
 #include "host/image/codecs.h"
 #include "host/image/image.h"
 #include "host/image/image_format.h"
@@ -74,7 +75,11 @@ void writeImage(const fs::path& file, const Image& image, const DisplayTransform
   } catch (const FileError& error) {
     throw FileError(fmt::format("cannot write \"{}\": {}", file.string(), error.what()));
   }
-  writeFileAtomically(file, bytes);
+  if (isStandardOutput(file)) {
+    writeStandardOutput(bytes);
+  } else {
+    writeFileAtomically(file, bytes);
+  }
 }
 
 Image readImage(const fs::path& file, ImageParts parts) {

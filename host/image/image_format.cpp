@@ -40,10 +40,14 @@ FileFormat formatByContent(ByteView bytes) {
 }
 
 FileFormat requireFormat(const fs::path& file) {
-  const std::optional<FileFormat> format = formatByExtension(file);
+  const std::optional<FileFormat> format = file == "-" ? FileFormat::png : formatByExtension(file);
   if (format) return *format;
   throw UsageError(fmt::format("\"{}\": the name of an image file must end in .png, .jpg, .jpeg, .hdr, .pfm or .exr",
                                file.string()));
+}
+
+bool isStandardOutput(const fs::path& file) {
+  return file == "-" || (!file.has_parent_path() && file.stem() == "-" && formatByExtension(file));
 }
 
 bool hasImageExtension(const fs::path& file) {

@@ -131,7 +131,7 @@ TEST_CASE("PFM files are read in both byte orders, in colour and grey, bottom ro
   CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(1, 2, 0));
 }
 
-TEST_CASE("HDR files preserve colours to one part in 128 of the largest channel") {
+TEST_CASE("HDR files preserve colours to half a step of the largest channel") {
   TemporaryFolder folder;
   for (const std::uint32_t width : {1u, 7u, 8u, 200u}) {  // below 8 pixels rows are not compressed
     const Image image = testImage(width, 3);
@@ -142,11 +142,45 @@ TEST_CASE("HDR files preserve colours to one part in 128 of the largest channel"
       const glm::vec3 difference = image.rgb[i] - back.rgb[i];
       const float largest = std::max({image.rgb[i].x, image.rgb[i].y, image.rgb[i].z});
       for (int c = 0; c < 3; ++c) {
-        CHECK(difference[c] >= 0);  // RGBE truncates
-        CHECK(difference[c] <= largest / 128);
+        // The step is at most 1/128 of the largest channel, whose mantissa is 128 to 255.
+        CHECK(std::abs(difference[c]) <= largest / 256 * 1.000001f);
       }
     }
   }
+}
+
+TEST_CASE("a ramp of 10^5 values has no bias in an HDR file") {
+  TemporaryFolder folder;
+  Image image;
+  image.width = 1000;
+  image.height = 100;
+  double sum = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const float value = 0.05f + 0.00009f * static_cast<float>(i);
+    image.rgb.emplace_back(value, 0.3f * value, 0);
+    sum += value;
+  }
+  writeImage(folder / "a.hdr", image, {});
+  const Image back = readImage(folder / "a.hdr");
+  double red = 0, green = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    int exponent = 0;
+    std::frexp(std::max(image.rgb[i].x, back.rgb[i].x), &exponent);  // a value may be rounded up to the next exponent
+    const float step = std::ldexp(1.0f, exponent - 8);
+    CHECK(std::abs(back.rgb[i].x - image.rgb[i].x) <= step / 2);
+    CHECK(std::abs(back.rgb[i].y - image.rgb[i].y) <= step / 2);
+    red += back.rgb[i].x;
+    green += back.rgb[i].y;
+  }
+  CHECK(std::abs(red / sum - 1) < 2e-4);
+  CHECK(std::abs(green / (0.3 * sum) - 1) < 2e-4);
+}
+
+TEST_CASE("HDR mantissas that are rounded up to 256 take the next exponent") {
+  TemporaryFolder folder;
+  Image image{1, 1, {glm::vec3(0.999f, 0.501f, 0.1234f)}, {}, {}, {}, {}};
+  writeImage(folder / "a.hdr", image, {});
+  CHECK(readImage(folder / "a.hdr").rgb[0] == glm::vec3(1, 64 / 128.0f, 16 / 128.0f));
 }
 
 TEST_CASE("HDR files store extreme values without wrapping") {
