@@ -34,7 +34,9 @@ Bytes readFile(const fs::path& file) {
 }
 
 Image decodeImage(ByteView bytes, ImageParts parts) {
-  switch (formatByContent(bytes)) {
+  const std::optional<FileFormat> format = formatByContent(bytes);
+  if (!format) throw FileError("not a PNG, JPEG, WebP, HDR, PFM or EXR file");
+  switch (*format) {
     case FileFormat::hdr:
       return decodeHdr(bytes);
     case FileFormat::pfm:

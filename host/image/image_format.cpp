@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 
 #include "host/core/errors.h"
@@ -28,7 +27,7 @@ std::optional<FileFormat> formatByExtension(const fs::path& file) {
 
 }  // namespace
 
-FileFormat formatByContent(ByteView bytes) {
+std::optional<FileFormat> formatByContent(ByteView bytes) {
   const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 12));
   if (start.starts_with("\x89PNG")) return FileFormat::png;
   if (start.starts_with("\xff\xd8")) return FileFormat::jpeg;
@@ -36,7 +35,7 @@ FileFormat formatByContent(ByteView bytes) {
   if (start.starts_with("#?")) return FileFormat::hdr;
   if (start.starts_with("PF") || start.starts_with("Pf")) return FileFormat::pfm;
   if (start.starts_with("\x76\x2f\x31\x01")) return FileFormat::exr;
-  throw FileError("not a PNG, JPEG, WebP, HDR, PFM or EXR file");
+  return std::nullopt;
 }
 
 FileFormat requireFormat(const fs::path& file) {

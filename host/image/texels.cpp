@@ -7,16 +7,23 @@
 namespace candela::image {
 
 Texels decodeTexels(ByteView file) {
-  switch (formatByContent(file)) {
+  const std::optional<FileFormat> format = formatByContent(file);
+  if (!format) throw FileError("not a PNG, JPEG or WebP file");
+  switch (*format) {
     case FileFormat::png:
       return decodePng(file);
     case FileFormat::jpeg:
       return decodeJpeg(file);
     case FileFormat::webp:
       return decodeWebp(file);
-    default:
-      throw FileError("not a PNG, JPEG or WebP file");
+    case FileFormat::hdr:
+      throw FileError("a Radiance HDR file; only PNG, JPEG and WebP files are textures");
+    case FileFormat::pfm:
+      throw FileError("a PFM file; only PNG, JPEG and WebP files are textures");
+    case FileFormat::exr:
+      throw FileError("an EXR file; only PNG, JPEG and WebP files are textures");
   }
+  throw InternalError("an image format without a decoder");
 }
 
 }  // namespace candela::image
