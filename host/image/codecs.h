@@ -17,6 +17,9 @@ using ByteView = std::span<const std::byte>;
 /// call it before they allocate memory.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
+/// Returns whether an ICC profile names sRGB in its texts, as those of sRGB do.
+bool namesSrgb(ByteView profile);
+
 /// Decoders accept any bytes and throw FileError, without the name of the file, if they are not an image.
 Texels decodePng(ByteView file);
 Texels decodeJpeg(ByteView file);

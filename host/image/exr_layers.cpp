@@ -44,11 +44,12 @@ bool isPictureOrStatistic(std::string_view name) {
          std::ranges::any_of(kPrefixes, [&](std::string_view prefix) { return name.starts_with(prefix); });
 }
 
-void addLayerChannels(const Imf::Header& header, std::size_t pixelCount, Image& image) {
+void addLayerChannels(const Imf::Header& header, const ExrColours& picture, std::size_t pixelCount, Image& image) {
   for (auto entry = header.channels().begin(); entry != header.channels().end(); ++entry) {
     const Imf::Channel& channel = entry.channel();
     const std::string name = entry.name();
-    if (isPictureOrStatistic(name)) continue;
+    const bool isShown = name == picture.alpha || std::ranges::find(picture.names, name) != picture.names.end();
+    if (isShown || isPictureOrStatistic(name)) continue;
     if (channel.xSampling != 1 || channel.ySampling != 1) {
       image.warnings.push_back(
           fmt::format("the channel \"{}\" is not read, since it does not have a value for each pixel", name));

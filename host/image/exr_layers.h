@@ -2,6 +2,7 @@
 #pragma once
 #include <OpenEXR/ImfHeader.h>
 
+#include "host/image/exr_colours.h"
 #include "host/image/image.h"
 
 namespace candela::image {
@@ -10,8 +11,9 @@ namespace candela::image {
 /// and variances of samples (docs/layers.md, docs/film-file.md).
 bool isPictureOrStatistic(std::string_view name);
 
-/// Returns the channels of the file's layers, with room for `pixelCount` values each. Integers and the ids of
-/// Cryptomatte are ids. Names of channels that do not have one value for each pixel are added to `image.warnings`.
-void addLayerChannels(const Imf::Header& header, std::size_t pixelCount, Image& image);
+/// Adds the channels of the file's layers to the image, with room for `pixelCount` values each, except those that are
+/// its picture. Integers and the ids of Cryptomatte are ids. Names of channels that do not have one value for each
+/// pixel are added to `image.warnings`.
+void addLayerChannels(const Imf::Header& header, const ExrColours& picture, std::size_t pixelCount, Image& image);
 
 }  // namespace candela::image

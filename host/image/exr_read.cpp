@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -12,7 +13,9 @@
 
 #include "host/core/errors.h"
 #include "host/image/byte_cursor.h"
+#include "host/image/chromaticities.h"
 #include "host/image/exr_attribute.h"
+#include "host/image/exr_colours.h"
 #include "host/image/exr_layers.h"
 #include "host/image/exr_pixels.h"
 
@@ -50,7 +53,8 @@ void checkHeader(ByteView bytes) {
   cursor.take(4);  // magic number
   const std::uint32_t flags = cursor.takeWord();
   if ((flags & kDeep) != 0) throw FileError("deep EXR files are not read");
-  if ((flags & kMultiPart) != 0) throw FileError("EXR files of several parts are not read");
+  if ((flags & kMultiPart) != 0)
+    throw FileError("EXR files of several parts are not read; extract one, for example by oiiotool --subimage");
   while (!cursor.takeUntil(isNul).empty()) {  // an empty name ends the header
     const std::string_view type = cursor.takeUntil(isNul);
     requireExrAttribute(type, cursor.take(cursor.takeWord()));
@@ -96,24 +100,21 @@ void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size
   if (pixelCount * channelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 
-bool hasChannel(const Imf::Header& header, const char* name) {
-  const Imf::Channel* channel = header.channels().findChannel(name);
-  return channel && channel->xSampling == 1 && channel->ySampling == 1;
+/// Maps the colour channels of the file to those of the image.
+void addColours(const ExrColours& colours, ExrPixels& pixels) {
+  for (std::size_t i = 0; i < colours.names.size(); ++i) pixels.addRgb(colours.names[i].c_str(), i);
 }
 
-/// Maps the colour channels of the file to those of the image.
-void addColour(const Imf::Header& header, ExrPixels& pixels) {
-  if (hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B")) {
-    pixels.addRgb("R", 0);
-    pixels.addRgb("G", 1);
-    pixels.addRgb("B", 2);
-    return;
+/// Applies what the header says about the colours.
+void finishColours(const Imf::Header& header, const ExrColours& colours, Image& image) {
+  if (!colours.warning.empty()) image.warnings.push_back(colours.warning);
+  if (colours.names.size() == 1) {
+    for (glm::vec3& pixel : image.rgb) pixel = glm::vec3(pixel.x);
+  } else if (Imf::hasChromaticities(header)) {
+    const auto point = [](const Imath::V2f& xy) { return glm::dvec2(xy.x, xy.y); };
+    const Imf::Chromaticities& space = Imf::chromaticities(header);
+    convertToRec709({point(space.red), point(space.green), point(space.blue), point(space.white)}, image);
   }
-  const bool hasChroma = header.channels().findChannel("RY") || header.channels().findChannel("BY");
-  if (!hasChannel(header, "Y") || hasChroma) {
-    throw FileError("the EXR file has neither the channels R, G and B nor Y alone, each at full resolution");
-  }
-  pixels.addRgb("Y", 0);
 }
 
 std::map<std::string, std::string> metadataOf(const Imf::Header& header) {
@@ -144,16 +145,18 @@ Image decode(ByteView bytes, ImageParts parts) {
   const std::size_t pixelCount = std::size_t{image.width} * image.height;
   checkPlausible(header, pixelCount, bytes.size());
   image.rgb.resize(pixelCount);
-  if (hasChannel(header, kAlphaChannel)) image.alpha.resize(pixelCount);
-  if (hasChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
-  if (hasChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
-  if (hasChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
+  const ExrColours colours = chooseColours(header);
+  if (!colours.alpha.empty()) image.alpha.resize(pixelCount);
+  if (hasFullChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
+  if (hasFullChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
+  if (hasFullChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
   image.metadata = metadataOf(header);
-  if (parts == ImageParts::withLayers) addLayerChannels(header, pixelCount, image);
+  if (parts == ImageParts::withLayers) addLayerChannels(header, colours, pixelCount, image);
+  image.isCubeMap = Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE;
 
   ExrPixels pixels(image, window);
-  addColour(header, pixels);
-  if (!image.alpha.empty()) pixels.addAlpha();
+  addColours(colours, pixels);
+  if (!image.alpha.empty()) pixels.addAlpha(colours.alpha.c_str());
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
   if (!image.badSampleCounts.empty()) pixels.addBadSamples();
@@ -163,9 +166,7 @@ Image decode(ByteView bytes, ImageParts parts) {
   }
   file.setFrameBuffer(pixels.frameBuffer());
   file.readPixels(window.min.y, window.max.y);
-  if (!hasChannel(header, "R")) {
-    for (glm::vec3& pixel : image.rgb) pixel = glm::vec3(pixel.x);
-  }
+  finishColours(header, colours, image);
   return image;
 }
 

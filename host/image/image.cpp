@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "host/core/errors.h"
+#include "host/image/chromaticities.h"
 #include "host/image/codecs.h"
 #include "host/image/colour_transfer.h"
 
@@ -168,6 +169,10 @@ Image toImage(const Texels& texels) {
   } else {
     appendTexels<16>(texels.deepRgba, texels.gamma, image);
   }
+  if (const std::vector<double>& p = texels.primaries; !p.empty()) {
+    convertToRec709({{p[0], p[1]}, {p[2], p[3]}, {p[4], p[5]}, {p[6], p[7]}}, image);
+  }
+  if (texels.hasProfile) image.warnings.emplace_back("its ICC profile is not applied; the colours are taken as sRGB");
   return image;
 }
 

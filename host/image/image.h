@@ -38,6 +38,7 @@ struct Image {
   glm::i64vec2 origin{0};           ///< column and row of the first pixel in the plane of the picture
   std::optional<PixelBox> frame{};  ///< the whole picture (OpenEXR's display window), of which the pixels may be a part
                                     ///< or more; none: the pixels, from (0, 0)
+  bool isCubeMap = false;           ///< an EXR file says that its pixels are the six faces of an environment
   std::vector<std::string> warnings{};  ///< what the file states about its pixels and the reader did not apply
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
@@ -130,9 +131,10 @@ enum class ImageParts {
 };
 /// Reads a file of any format below, distinguished by its first bytes. Invalid files give a FileError, never a crash.
 /// PNG (8 and 16 bits), JPEG and WebP are converted from sRGB, or from the gamma that a PNG states, and multiplied by
-/// their alpha. From an EXR file, which must have a single flat part, it reads the data window: R, G and B, or Y alone
-/// as grey, A, `variance.Y`, `samples`, `badSamples` and the string attributes. HDR pixels are divided by the file's
-/// EXPOSURE. The magnitude of PFM's scale is ignored; only its sign is used.
+/// their alpha. From an EXR file, which must have a single flat part, it reads the data window: R, G and B, those of
+/// its only layer, or its only channel as grey; A, `variance.Y`, `samples`, `badSamples` and the string attributes. HDR
+/// pixels are divided by the file's EXPOSURE and COLORCORR, and PFM pixels multiplied by the scale. Colours of other
+/// primaries are converted to Rec. 709.
 Image readImage(const std::filesystem::path& file, ImageParts parts = ImageParts::picture);
 /// Returns the pixels of readImage() as sRGB signals of 8 bits, over black.
 Pixels8 readPixels8(const std::filesystem::path& file);

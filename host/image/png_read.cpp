@@ -44,6 +44,23 @@ class PngTexelReader {
     return png_get_gAMA(png_, info_, &gamma) != 0 ? gamma : 0;
   }
 
+  /// Returns the chromaticities of red, green, blue and white; nothing for Rec. 709, or where the file states none.
+  std::vector<double> primaries() const {
+    std::vector<double> p(8);
+    if (png_get_valid(png_, info_, PNG_INFO_sRGB | PNG_INFO_iCCP) != 0) return {};
+    const bool isStated = png_get_cHRM(png_, info_, &p[6], &p[7], &p[0], &p[1], &p[2], &p[3], &p[4], &p[5]) != 0;
+    return isStated ? p : std::vector<double>{};
+  }
+
+  bool hasProfile() const {
+    png_charp name = nullptr;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    int compression = 0;
+    if (png_get_iCCP(png_, info_, &name, &compression, &profile, &size) == 0) return false;
+    return !namesSrgb({reinterpret_cast<const std::byte*>(profile), size});
+  }
+
   /// Reads 4 or, if isDeep(), 8 bytes for each pixel.
   void read(void* rgba) {
     if (!decode(static_cast<png_bytep>(rgba))) fail();
@@ -140,6 +157,8 @@ Texels decodePng(ByteView file) {
   checkPlausible(pixelCount, file.size());
   Texels texels{reader.width(), reader.height(), {}};
   texels.gamma = reader.gamma();
+  texels.primaries = reader.primaries();
+  texels.hasProfile = reader.hasProfile();
   if (reader.isDeep()) {
     texels.deepRgba.resize(pixelCount);
     reader.read(texels.deepRgba.data());

@@ -1,10 +1,18 @@
 // Decodes images of integers.
 #include "host/image/texels.h"
 
+#include <string_view>
+
 #include "host/core/errors.h"
 #include "host/image/image_format.h"
 
 namespace candela::image {
+
+bool namesSrgb(ByteView profile) {
+  const std::string_view text(reinterpret_cast<const char*>(profile.data()), profile.size());
+  constexpr std::string_view kWide("s\0R\0G\0B", 7);
+  return text.find("sRGB") != std::string_view::npos || text.find(kWide) != std::string_view::npos;
+}
 
 Texels decodeTexels(ByteView file) {
   const std::optional<FileFormat> format = formatByContent(file);

@@ -30,6 +30,7 @@ struct PngSpec {
   int colourType;
   std::vector<png_color> palette = {};
   double gamma = 0;  // 0: not stated
+  bool isRec2020 = false;
 };
 
 /// One row, with samples as the file stores them.
@@ -42,6 +43,7 @@ void writePngRow(const fs::path& file, std::uint32_t width, std::vector<std::uin
                PNG_FILTER_TYPE_DEFAULT);
   if (!spec.palette.empty()) png_set_PLTE(png, info, spec.palette.data(), static_cast<int>(spec.palette.size()));
   if (spec.gamma > 0) png_set_gAMA(png, info, spec.gamma);
+  if (spec.isRec2020) png_set_cHRM(png, info, 0.3127, 0.329, 0.708, 0.292, 0.17, 0.797, 0.131, 0.046);
   png_write_info(png, info);
   png_write_row(png, row.data());
   png_write_end(png, info);
@@ -58,7 +60,7 @@ std::vector<int> pngPixels(std::uint32_t width, const std::vector<std::uint8_t>&
   return {pixels.rgb.begin(), pixels.rgb.end()};
 }
 
-void writeGreyJpeg(const fs::path& file, std::uint8_t value) {
+void writeGreyJpeg(const fs::path& file, std::uint8_t value, const std::string& profile = "") {
   std::FILE* stream = std::fopen(file.c_str(), "wb");
   jpeg_compress_struct info{};
   jpeg_error_mgr errors{};
@@ -72,6 +74,10 @@ void writeGreyJpeg(const fs::path& file, std::uint8_t value) {
   jpeg_set_defaults(&info);
   jpeg_simple_progression(&info);
   jpeg_start_compress(&info, TRUE);
+  if (!profile.empty()) {
+    jpeg_write_icc_profile(&info, reinterpret_cast<const JOCTET*>(profile.data()),
+                           static_cast<unsigned>(profile.size()));
+  }
   std::vector<JSAMPLE> row(8, value);
   for (int y = 0; y < 8; ++y) {
     JSAMPROW pointer = row.data();
@@ -159,6 +165,28 @@ TEST_CASE("a PNG of gamma 1 is encoded as sRGB") {
   CHECK(pixels[2] == 255);
 }
 
+TEST_CASE("the chromaticities of a PNG are applied") {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", 1, {255, 0, 0}, {8, PNG_COLOR_TYPE_RGB, {}, 1, true});
+  const Image image = readImage(folder / "a.png");
+  CHECK(image.rgb[0].x == Approx(1.6605).epsilon(1e-3));  // Report ITU-R BT.2407, section 2.2
+  CHECK(image.rgb[0].y == Approx(-0.1246).epsilon(1e-2));
+}
+
+TEST_CASE("an ICC profile that does not name sRGB is named in a warning") {
+  TemporaryFolder folder;
+  using namespace std::string_literals;
+  const auto warnings = [&](const std::string& profile) {
+    writeGreyJpeg(folder / "a.jpg", 99, profile);
+    return readImage(folder / "a.jpg").warnings;
+  };
+  CHECK(warnings("").empty());
+  CHECK(warnings("a profile: sRGB IEC61966-2.1").empty());
+  CHECK(warnings("\0s\0R\0G\0B"s).empty());
+  REQUIRE(warnings("Adobe RGB (1998)").size() == 1);
+  CHECK_THAT(warnings("Adobe RGB (1998)")[0], Catch::Contains("ICC profile is not applied"));
+}
+
 TEST_CASE("a grey progressive JPEG becomes RGB") {
   TemporaryFolder folder;
   writeGreyJpeg(folder / "a.jpg", 99);
@@ -205,7 +233,7 @@ TEST_CASE("an EXR file of luminance alone is grey, one with chroma is refused") 
   CHECK(image.at(3, 1).x == Approx(1.3891).epsilon(2e-3));
   CHECK(image.at(3, 1).y == image.at(3, 1).x);
   CHECK(image.at(3, 1).z == image.at(3, 1).x);
-  CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("R, G and B"));
+  CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("luminance and chroma"));
 }
 
 TEST_CASE("channels of integers are ids, whose bits are preserved, and subsampled channels are named") {

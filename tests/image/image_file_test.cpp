@@ -128,7 +128,7 @@ TEST_CASE("PFM files are read in both byte orders, in colour and grey, bottom ro
   CHECK(big.at(0, 0) == glm::vec3(2));
   CHECK(big.at(0, 1) == glm::vec3(1));
   writeText(folder / "little.pfm", "PF 1 1 -5\n\0\0\x80\x3f\0\0\0\x40\0\0\0\0"s);
-  CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(1, 2, 0));
+  CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(5, 10, 0));  // multiplied by the scale
 }
 
 TEST_CASE("HDR files preserve colours to half a step of the largest channel") {
@@ -211,6 +211,42 @@ TEST_CASE("HDR files of the old kind are read, and divided by their exposures") 
 
   writeText(folder / "exposed.hdr", "#?RADIANCE\nEXPOSURE=4\n\n-Y 1 +X 1\n" + pixel);
   CHECK(readImage(folder / "exposed.hdr").rgb[0] == glm::vec3(0.25f, 0.125f, 0.0625f));
+}
+
+TEST_CASE("HDR files are read in all eight directions") {
+  TemporaryFolder folder;
+  // The picture has the columns 1 2 3 above 4 5 6, as mantissas of red at an exponent of 2^0.
+  const std::vector<std::pair<std::string, std::string>> directions{
+      {"-Y 2 +X 3", "123456"}, {"-Y 2 -X 3", "321654"}, {"+Y 2 +X 3", "456123"}, {"+Y 2 -X 3", "654321"},
+      {"+X 3 -Y 2", "142536"}, {"+X 3 +Y 2", "415263"}, {"-X 3 -Y 2", "362514"}, {"-X 3 +Y 2", "635241"}};
+  for (const auto& [size, digits] : directions) {
+    CAPTURE(size);
+    std::string pixels;
+    for (const char digit : digits) pixels += {static_cast<char>(digit - '0'), 0, 0, static_cast<char>(136)};
+    writeText(folder / "a.hdr", "#?RADIANCE\n\n" + size + "\n" + pixels);
+    const Image image = readImage(folder / "a.hdr");
+    REQUIRE(image.width == 3);
+    REQUIRE(image.height == 2);
+    for (std::uint32_t i = 0; i < 6; ++i) CHECK(image.rgb[i] == glm::vec3(static_cast<float>(i + 1), 0, 0));
+  }
+}
+
+TEST_CASE("HDR files are divided by COLORCORR, and what is not applied is named") {
+  TemporaryFolder folder;
+  const auto read = [&](const std::string& header) {
+    writeText(folder / "a.hdr", "#?RADIANCE\n" + header + "\n\n-Y 1 +X 1\n\x80\x40\x20\x81");
+    return readImage(folder / "a.hdr");
+  };
+  CHECK(read("COLORCORR= 2 4 0.5\nEXPOSURE=2\nGAMMA=1").rgb[0] == glm::vec3(0.25f, 0.0625f, 0.25f));
+  CHECK(read("GAMMA=1").warnings.empty());
+  for (const char* header : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "COLORCORR=1 1", "COLORCORR=1 0 1",
+                             "GAMMA=2.2", "PRIMARIES=0.6 0.3"}) {
+    CAPTURE(header);
+    const Image image = read(header);
+    CHECK(image.rgb[0] == glm::vec3(1, 0.5f, 0.25f));
+    REQUIRE(image.warnings.size() == 1);
+    CHECK_THAT(image.warnings[0], Catch::StartsWith(std::string(header)) && Catch::Contains("is ignored"));
+  }
 }
 
 TEST_CASE("PNG pixels are the display transform of the values in EXR") {
