@@ -1,5 +1,6 @@
 // The parsed command line.
 #pragma once
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <set>
@@ -107,7 +108,8 @@ struct Arguments {
   bool mixedDevices = false;            ///< for `merge`
   bool partial = false;                 ///< for `merge`
 
-  std::optional<double> tolerance;  ///< maximum relMSE that passes
+  std::optional<double> tolerance;    ///< maximum relMSE that passes
+  std::vector<std::string> channels;  ///< that are compared; empty: all but statistics
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;
 
@@ -149,6 +151,11 @@ struct Arguments {
   std::set<std::string> given;  ///< long names of the options on the command line
 
   bool usesReference() const { return device == render::kReferenceDevice; }
+  /// Returns whether an image is written to stdout, so that all texts go to stderr.
+  bool writesImageToStdout() const {
+    return std::ranges::any_of(outputs, image::isStandardOutput) || image::isStandardOutput(differenceFile) ||
+           image::isStandardOutput(flipFile);
+  }
   /// Returns whether a reporting command prints its report as text.
   bool wantsText() const { return !quiet && json != "-" && markdown != "-" && svg != "-"; }
   Verbosity verbosity() const {

@@ -1,8 +1,8 @@
 // `candela compare A B`: computes the differences between two images, and judges them.
 #include <fmt/format.h>
 
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "host/cli/bad_samples.h"
 #include "host/cli/comparison.h"
@@ -11,9 +11,16 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/report_page.h"
+#include "host/cli/text_output.h"
 
 namespace candela::cli {
 namespace {
+
+image::Image readPicture(const std::string& file, const Log& log) {
+  image::Image picture = image::readImage(file, image::ImageParts::withLayers);
+  for (const std::string& warning : picture.warnings) log.warning(fmt::format("{}: {}", file, warning));
+  return picture;
+}
 
 void writePictures(const Arguments& arguments, const image::Image& a, const image::Image& reference,
                    const image::FlipResult& flip) {
@@ -32,15 +39,19 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   }
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   requireWritableReport(arguments.json);
-  const image::Image a = image::readImage(arguments.files[0]);
-  const image::Image reference = image::readImage(arguments.files[1]);
+  image::Image a = readPicture(arguments.files[0], log);
+  image::Image reference = readPicture(arguments.files[1], log);
   const ImagePair pair = comparePair(arguments, a, reference);
+  const bool isApart = !pair.verdict.whyApart.empty();
 
-  writePictures(arguments, a, reference, pair.flip);
-  if (arguments.wantsText()) std::cout << toText(pair) << std::flush;
+  if (!isApart) writePictures(arguments, a, reference, pair.flip);
+  if (arguments.wantsText()) textStream(arguments) << toText(pair) << std::flush;
   writeJson(arguments.json, toJson(pair));
-  if (!arguments.report.empty()) {
+  if (!arguments.report.empty() && !isApart) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));
+  }
+  if (isApart && !(arguments.differenceFile.empty() && arguments.flipFile.empty() && arguments.report.empty())) {
+    log.note("pictures in different places have no picture of their difference, and no report; none is written");
   }
   if (pair.badSamples() > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples()));
   return strictly(exitCodeOf(pair.verdict.conclusion(), arguments), pair.badSamples(), arguments, log);

@@ -29,7 +29,7 @@ ExitCode runDenoise(const Arguments& arguments, const Log& log) {
   const image::Film film = film::readFilm(reader);
   requireStatisticsOf(reader, film);
   const film::FilmHeader& header = reader.header();
-  image::Image image = pictureOf(film, header.hasAlpha(), metadataOf(header, film));
+  image::Image image = pictureOf(header, film, metadataOf(header, film));
   const double start = monotonicSeconds();
   denoiseImage(image, film, arguments, log);
   log.note(fmt::format("{}x{} pixels denoised in {:.2f} s", film.width(), film.height(), monotonicSeconds() - start));

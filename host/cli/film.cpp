@@ -19,7 +19,7 @@ ExitCode runFilm(const Arguments& arguments, const Log& log) {
   const FilmDescription description = describe(reader, film);
   if (!arguments.outputs.empty()) {
     const film::FilmHeader& header = reader.header();
-    writeImages(pictureOf(film, header.hasAlpha(), metadataOf(header, film)), withIntegrator(arguments, header), log);
+    writeImages(pictureOf(header, film, metadataOf(header, film)), withIntegrator(arguments, header), log);
   }
   if (arguments.wantsText() && arguments.outputs.empty()) std::cout << toText(description) << std::flush;
   writeJson(arguments.json, toJson(description));

@@ -40,7 +40,7 @@ bool displaysImage(const Arguments& arguments) {
 
 bool hasAlphaChannel(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
-  return extension == ".png" || extension == ".exr";
+  return file == "-" || extension == ".png" || extension == ".exr";
 }
 
 // Options that have an effect only on some renders.

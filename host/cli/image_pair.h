@@ -12,7 +12,8 @@ namespace candela::cli {
 /// The bad samples of an image file, whose commands are unknown.
 struct ImageBadSamples {
   struct Pixel {
-    std::uint32_t x, y, samples;
+    std::int64_t x, y;  ///< in the plane of the picture
+    std::uint32_t samples;
   };
   std::uint64_t samples = 0;
   std::uint64_t pixels = 0;
@@ -20,7 +21,10 @@ struct ImageBadSamples {
 };
 
 struct ImagePair {
+  /// Where the pixels are that are compared, and the frame of both pictures.
+  image::PixelBox window, frame;
   image::ImageComparison comparison;
+  image::ChannelComparison channels;
   image::FlipResult flip;
   ImageVerdict verdict;
   ImageBadSamples badInA, badInB;
@@ -28,9 +32,10 @@ struct ImagePair {
   std::uint64_t badSamples() const { return badInA.samples + badInB.samples; }
 };
 
-/// Compares `a` with `reference` by the options of `arguments`. Throws UsageError if the sizes differ, or as
-/// judgeImages() does.
-ImagePair comparePair(const Arguments& arguments, const image::Image& a, const image::Image& reference);
+/// Cuts both images to their common window, and compares `a` with `reference` by the options of `arguments`. If they
+/// have none (image::whyApart), the images stay as they are, and there are no figures but the verdict. Throws
+/// UsageError if a channel of --channels is missing, or as judgeImages() does.
+ImagePair comparePair(const Arguments& arguments, image::Image& a, image::Image& reference);
 
 /// Returns lines, each ending in a newline.
 std::string toText(const ImagePair& pair);

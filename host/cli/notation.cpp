@@ -166,6 +166,21 @@ Notation<image::LayerSet> layerList() {
           image::layerText, words};
 }
 
+Notation<std::vector<std::string>> nameList(std::string metavar, std::string expected) {
+  const auto parse = [](const std::string& word) -> std::optional<std::vector<std::string>> {
+    std::vector<std::string> names;
+    for (std::size_t first = 0; first <= word.size();) {
+      const std::size_t end = std::min(word.find(',', first), word.size());
+      if (end == first) return std::nullopt;
+      names.push_back(word.substr(first, end - first));
+      first = end + 1;
+    }
+    return names;
+  };
+  return {std::move(metavar), std::move(expected), parse,
+          [](const std::vector<std::string>& names) { return fmt::format("{}", fmt::join(names, ",")); }};
+}
+
 Notation<ServerAddress> serverAddress() {
   const auto parse = [](const std::string& word) -> std::optional<ServerAddress> {
     const std::size_t colon = std::min(word.rfind(':'), word.size());

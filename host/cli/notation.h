@@ -49,6 +49,8 @@ inline constexpr std::array<std::pair<std::string_view, image::Layer>, 2> kLayer
     {{"id", image::Layer::cryptoObject}, {"material", image::Layer::cryptoMaterial}}};
 /// Names of layers, separated by commas, in any order; `none` for no layers.
 Notation<image::LayerSet> layerList();
+/// Any names, separated by commas, none of them empty; an empty list, which can only be the default, prints as nothing.
+Notation<std::vector<std::string>> nameList(std::string metavar, std::string expected);
 /// "HOST:PORT"; a host with colons is in brackets.
 Notation<ServerAddress> serverAddress();
 /// Any text; an empty value, which can only be the default, prints as `empty`.

@@ -62,7 +62,10 @@ void requireWritableFilm(const std::filesystem::path& film) {
 
 void requireWritableImage(const std::filesystem::path& file) {
   image::checkImageFormat(file);
-  requireWritableFile(file);
+  if (!image::isStandardOutput(file)) return requireWritableFile(file);
+  if (isatty(STDOUT_FILENO) == 0) return;
+  throw UsageError(
+      fmt::format("-o {}: stdout is a terminal; redirect it to a file or to another program", file.string()));
 }
 
 std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const Log& log) {

@@ -16,7 +16,8 @@ void requireWritableFile(const std::filesystem::path& file);
 /// Throws FileError as requireWritableFile() does for a film file and for the report beside it, and if the film file is
 /// a device or a pipe.
 void requireWritableFilm(const std::filesystem::path& film);
-/// Throws UsageError for an unknown extension, and FileError as requireWritableFile() does.
+/// Throws UsageError for an unknown extension and for a terminal that would receive an image, and FileError as
+/// requireWritableFile() does.
 void requireWritableImage(const std::filesystem::path& file);
 /// Returns the lock on the film file of --checkpoint, which must be held until the film is written; nothing without
 /// --checkpoint. Throws FileError if the file cannot be written, if it exists and --resume does not continue from it

@@ -3,8 +3,8 @@
 
 #include <atomic>
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 
 #include "host/cli/adaptive_report.h"
 #include "host/cli/bad_samples.h"
@@ -16,6 +16,7 @@
 #include "host/cli/render_images.h"
 #include "host/cli/render_job.h"
 #include "host/cli/statistics_report.h"
+#include "host/cli/text_output.h"
 #include "host/cli/trace_film.h"
 #include "host/core/counted.h"
 #include "host/core/errors.h"
@@ -53,6 +54,7 @@ void summarise(const RenderReport& report, const Log& log) {
 
 image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
   image::Image image = pictureOf(result.film, job.settings().image.hasAlpha(), metadataOf(job, result));
+  setPlace(image, job.settings().image.size, job.settings().image.window());
   if (job.arguments.denoise) denoiseResult(image, result.film, result.interrupted, job.arguments, log);
   return image;
 }
@@ -106,7 +108,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
     log.warning("SIGUSR1 was ignored: it writes the film of --checkpoint, and this render has none");
   }
   summarise(report, log);
-  if (arguments.printStatistics) std::cout << toText(report) << std::flush;
+  if (arguments.printStatistics) textStream(arguments) << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));
   if (traced.failure) {
     log.problem(traced.failure->message);

@@ -82,6 +82,17 @@ image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata
   return image;
 }
 
+image::Image pictureOf(const film::FilmHeader& header, const image::Film& film, Metadata metadata) {
+  image::Image image = pictureOf(film, header.hasAlpha(), std::move(metadata));
+  setPlace(image, header.size, header.window);
+  return image;
+}
+
+void setPlace(image::Image& image, const render::Extent& frame, const render::Window& window) {
+  image.origin = {window.x, window.y};
+  image.frame = image::PixelBox{0, 0, frame.width, frame.height};
+}
+
 Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
   const std::string integrator = header.setting("integrator");
   if (!integrator.empty()) findOption(Command::render, "--integrator")->apply(arguments, integrator);

@@ -23,6 +23,11 @@ void addMovedCamera(const scene::Camera& camera, const scene::Camera& ofFile, Me
 /// Returns the means of a film with these metadata, and with alpha if the film has it.
 image::Image pictureOf(const image::Film& film, bool hasAlpha, Metadata metadata);
 
+/// Returns the picture of a film file, at its place in the frame.
+image::Image pictureOf(const film::FilmHeader& header, const image::Film& film, Metadata metadata);
+/// States where the pixels of an image are in the frame of its render. EXR files have both.
+void setPlace(image::Image& image, const render::Extent& frame, const render::Window& window);
+
 /// Returns `arguments` with the integrator of a film, which decides how depths and costs are shown.
 Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header);
 

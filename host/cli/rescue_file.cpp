@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include "host/image/image.h"
+
 namespace candela::cli {
 
 std::filesystem::path rescueFile(const Arguments& arguments) {
   constexpr int kMaxFiles = 100;
   if (arguments.outputs.empty()) return {};
-  const std::filesystem::path& output = arguments.outputs.front();
+  const std::filesystem::path& first = arguments.outputs.front();
+  const std::filesystem::path output = image::isStandardOutput(first) ? "candela" : first;
   std::error_code error;
   if (std::filesystem::exists(output, error) && !std::filesystem::is_regular_file(output, error)) return {};
   for (int i = 1; i <= kMaxFiles; ++i) {

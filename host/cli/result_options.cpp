@@ -37,7 +37,7 @@ Option denoiseFlag(const Row& row) {
 std::vector<Option> outputOptions() {
   constexpr OptionGroup kGroup = OptionGroup::output;
   return {
-    paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); repeatable"}, "FILE",
+    paths({"-o,--output", kRender | kFilm | kDenoise, kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); `-`: a PNG file to stdout, `-.exr`: an EXR file, and so on; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
     valued({"--aov", kRender | kView, kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}; `id` and `material` are short names of the last two, and `all` means every layer", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.request.settings.image.layers; }),
@@ -77,8 +77,10 @@ std::vector<Option> filmOptions() {
 std::vector<Option> comparisonOptions() {
   constexpr OptionGroup kGroup = OptionGroup::comparison;
   return {
-    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass"},
+    valued({"--tolerance", kCompare, kGroup, "maximum relMSE at which two images pass, by their colours and by each other channel; ids must be equal"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
+    valued({"--channels", kCompare, kGroup, "channels to compare, separated by commas: R, G, B, A, Z, a layer such as albedo or N, or one of its channels (default: all that both images have, except statistics)"},
+           nameList("NAMES", "names of channels, separated by commas"), [](auto& a) -> auto& { return a.channels; }),
     valued({"--alpha", kCompare, kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
            fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     valued({"--bias", kCompare, kGroup, "fraction of the image mean that the test for equal light may overlook; if rounding or noise may hide more, the verdict is not decided"},

@@ -77,11 +77,11 @@ std::vector<Option> imageOptions() {
 std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
-    flag({"--lenient", kReadingScenes, kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF, leave out images that cannot be read"},
+    flag({"--lenient", kReadingScenes, kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF, leave out images that cannot be read; replace pixels of an environment that are not finite"},
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths({"--allow-path", kReadingScenes, kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
-    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr, .pfm, .png or .jpg), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
+    valued({"--env", kSurrounding, kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr, .pfm, .png, .jpg or .webp), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
            text("FILE", "an environment", "none"), [](auto& a) -> auto& { return a.loadOptions.environment.source; }),
     valued({"--env-rotate", kSurrounding, kGroup, "rotation of the environment about the axis that points up, counterclockwise seen from above"},
            realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.environment.rotation; }),

@@ -5,6 +5,7 @@
 
 #include "host/core/errors.h"
 #include "host/film/work_report.h"
+#include "host/image/image.h"
 
 namespace candela::cli {
 namespace {
@@ -34,7 +35,7 @@ bool areSameFile(const fs::path& a, const fs::path& b) {
 /// Returns whether writing replaces a file. Stdout, devices and pipes only receive what is written.
 bool replacesFile(const Output& output) {
   std::error_code ignored;
-  if (output.file.empty() || output.file == "-") return false;
+  if (output.file.empty() || image::isStandardOutput(output.file)) return false;
   return !fs::exists(output.file, ignored) || fs::is_regular_file(output.file, ignored);
 }
 
@@ -44,18 +45,36 @@ void addFilm(const fs::path& film, const std::string& option, std::vector<Output
   outputs.push_back({film::workFile(film), "the report of " + option});
 }
 
-/// Returns the files that the command would replace or create. Folders (--captures, `capture -o`) must be new, and are
-/// left out.
+/// Returns the files that the command would write, among them stdout. Folders (--captures, `capture -o`) must be new,
+/// and are left out.
 std::vector<Output> outputsOf(const Arguments& arguments) {
-  std::vector<Output> outputs{
-      {arguments.json, "--json"},     {arguments.junit, "--junit"},    {arguments.markdown, "--markdown"},
-      {arguments.svg, "--svg"},       {arguments.report, "--report"},  {arguments.differenceFile, "--diff"},
-      {arguments.flipFile, "--flip"}, {arguments.generatedFile, "-o"}, {arguments.conformance.csv, "--csv"}};
+  std::vector<Output> outputs{{arguments.json, "--json"},         {arguments.junit, "--junit"},
+                              {arguments.markdown, "--markdown"}, {arguments.svg, "--svg"},
+                              {arguments.report, "--report"},     {arguments.differenceFile, "--diff"},
+                              {arguments.flipFile, "--flip"},     {arguments.conformance.csv, "--csv"}};
+  const bool writesScene = arguments.command == Command::generate || arguments.command == Command::boxes;
+  if (writesScene) outputs.push_back({arguments.generatedFile, "-o"});
   for (const fs::path& image : arguments.outputs) outputs.push_back({image, "-o"});
   addFilm(arguments.checkpoint, "--checkpoint", outputs);
   addFilm(arguments.mergedFilm, "-o", outputs);
+  return outputs;
+}
+
+std::vector<Output> replacedFiles(const Arguments& arguments) {
+  std::vector<Output> outputs = outputsOf(arguments);
   std::erase_if(outputs, [](const Output& output) { return !replacesFile(output); });
   return outputs;
+}
+
+/// An image on stdout may have no other output before or after it.
+void requireOneStdout(const Arguments& arguments) {
+  if (!arguments.writesImageToStdout()) return;
+  std::vector<Output> outputs = outputsOf(arguments);
+  std::erase_if(outputs, [](const Output& output) { return !image::isStandardOutput(output.file); });
+  if (outputs.size() == 1) return;
+  throw UsageError(fmt::format("{} {} and {} {}: an image on stdout must be the only output there; name a file",
+                               outputs[0].option, outputs[0].file.string(), outputs[1].option,
+                               outputs[1].file.string()));
 }
 
 /// Returns the files that the command line names for reading, without a film that the render resumes and replaces.
@@ -96,13 +115,14 @@ void requireNoOutput(const std::vector<Output>& outputs, const fs::path& input) 
 }  // namespace
 
 void requireSeparateFiles(const Arguments& arguments) {
-  const std::vector<Output> outputs = outputsOf(arguments);
+  requireOneStdout(arguments);
+  const std::vector<Output> outputs = replacedFiles(arguments);
   requireDistinct(outputs);
   for (const fs::path& input : inputsOf(arguments)) requireNoOutput(outputs, input);
 }
 
 void requireUnread(const Arguments& arguments, const std::vector<fs::path>& files) {
-  const std::vector<Output> outputs = outputsOf(arguments);
+  const std::vector<Output> outputs = replacedFiles(arguments);
   for (const fs::path& file : files) requireNoOutput(outputs, file);
 }
 

@@ -1,4 +1,4 @@
-// Writes text to a file or to stdout.
+// Writes text to a file, to stdout or to stderr.
 #include "host/cli/text_output.h"
 
 #include <iostream>
@@ -7,6 +7,8 @@
 #include "host/core/atomic_file.h"
 
 namespace candela::cli {
+
+std::ostream& textStream(const Arguments& arguments) { return arguments.writesImageToStdout() ? std::cerr : std::cout; }
 
 void writeText(const std::string& target, const std::string& text) {
   if (target.empty()) return;

@@ -5,9 +5,11 @@
 
 #include <cmath>
 #include <filesystem>
+#include <optional>
 #include <span>
 
 #include "host/core/errors.h"
+#include "host/core/finite.h"
 #include "host/core/hash.h"
 #include "host/environment/placement.h"
 #include "host/environment/sun_sky.h"
@@ -30,22 +32,67 @@ scene::Environment makeWhite() {
           .weights = {}};
 }
 
-scene::Environment readMap(const std::string& file) {
-  image::Image image = image::readImage(file);
-  if (image.rgb.size() > kMaxTexels) {
-    throw FileError(fmt::format("--env {}: {} x {} pixels; an environment may have at most {} pixels", file,
-                                image.width, image.height, kMaxTexels));
+/// Replaces pixels that are not finite by black. Returns a warning with their number; nothing if there are none.
+std::optional<std::string> repair(image::Image& image) {
+  std::size_t count = 0;
+  for (glm::vec3& pixel : image.rgb) {
+    if (isFinite(glm::dvec3(pixel))) continue;
+    pixel = glm::vec3(0);
+    ++count;
   }
-  return {.name = std::filesystem::path(file).filename().string(),
-          .width = image.width,
-          .height = image.height,
-          .texels = std::move(image.rgb),
-          .weights = {}};
+  if (count == 0) return std::nullopt;
+  return fmt::format("{} of {} pixels are not finite, and are replaced by black", count, image.rgb.size());
 }
 
-scene::Environment makeMap(const std::string& source) {
-  if (isImageFile(source)) return readMap(source);
-  return source == kWhite ? makeWhite() : makeSunSky(std::string_view(source).substr(kSun.size()));
+/// Returns the colours of the whole frame, black where the file has no pixels.
+std::vector<glm::vec3> coloursOfFrame(image::Image& image) {
+  const image::PixelBox frame = frameOf(image), window = windowOf(image);
+  if (frame == window) return std::move(image.rgb);
+  std::vector<glm::vec3> colours(static_cast<std::size_t>(frame.width * frame.height), glm::vec3(0));
+  const image::PixelBox common = intersection(frame, window);
+  for (std::int64_t y = common.y; y < common.y + common.height; ++y) {
+    for (std::int64_t x = common.x; x < common.x + common.width; ++x) {
+      colours[static_cast<std::size_t>((y - frame.y) * frame.width + x - frame.x)] = image.rgb[static_cast<std::size_t>(
+          (y - window.y) * window.width + x - window.x)];
+    }
+  }
+  return colours;
+}
+
+ReadEnvironment readMap(const std::string& file, bool isLenient) {
+  image::Image image = image::readImage(file);
+  if (image.isCubeMap) {
+    throw FileError(
+        fmt::format("--env {}: the file is a cube map (envmap = cube); convert it to latitude and longitude, "
+                    "for example by exrenvmap -latlong",
+                    file));
+  }
+  const image::PixelBox frame = frameOf(image);
+  const auto maxTexels = static_cast<std::int64_t>(kMaxTexels);
+  if (frame.isEmpty()) throw FileError(fmt::format("--env {}: the display window is empty", file));
+  if (frame.width > maxTexels || frame.width * frame.height > maxTexels) {
+    throw FileError(fmt::format("--env {}: {} x {} pixels; an environment may have at most {} pixels", file,
+                                frame.width, frame.height, kMaxTexels));
+  }
+  ReadEnvironment result{.environment = {.name = std::filesystem::path(file).filename().string(),
+                                         .width = static_cast<std::uint32_t>(frame.width),
+                                         .height = static_cast<std::uint32_t>(frame.height),
+                                         .texels = {},
+                                         .weights = {}},
+                         .warnings = image.warnings};
+  if (intersection(frame, windowOf(image)).isEmpty()) {
+    result.warnings.emplace_back("the data window is outside the display window, so that the environment is black");
+  }
+  if (isLenient) {
+    if (const auto warning = repair(image)) result.warnings.push_back(*warning);
+  }
+  result.environment.texels = coloursOfFrame(image);
+  return result;
+}
+
+ReadEnvironment makeMap(const std::string& source, bool isLenient) {
+  if (isImageFile(source)) return readMap(source, isLenient);
+  return {source == kWhite ? makeWhite() : makeSunSky(std::string_view(source).substr(kSun.size()))};
 }
 
 void scaleTexels(scene::Environment& environment, double scale) {
@@ -53,8 +100,9 @@ void scaleTexels(scene::Environment& environment, double scale) {
     glm::vec3& texel = environment.texels[i];
     const glm::vec3 scaled(glm::dvec3(texel) * scale);
     if (!std::isfinite(scaled.x) || !std::isfinite(scaled.y) || !std::isfinite(scaled.z)) {
-      throw FileError(fmt::format("--env {}: the radiance of pixel {},{} is not finite", environment.name,
-                                  i % environment.width, i / environment.width));
+      throw FileError(fmt::format(
+          "--env {}: the radiance of pixel {},{} is not finite; --lenient replaces such pixels of the file by black",
+          environment.name, i % environment.width, i / environment.width));
     }
     texel = glm::max(scaled, 0.0f);
   }
@@ -62,12 +110,16 @@ void scaleTexels(scene::Environment& environment, double scale) {
 
 }  // namespace
 
+ReadEnvironment readEnvironment(const scene::EnvironmentRequest& request, const glm::vec3& up, bool isLenient) {
+  ReadEnvironment result = makeMap(request.source, isLenient);
+  scaleTexels(result.environment, request.scale);
+  setWeights(result.environment);
+  place(result.environment, up, request.rotation);
+  return result;
+}
+
 scene::Environment makeEnvironment(const scene::EnvironmentRequest& request, const glm::vec3& up) {
-  scene::Environment environment = makeMap(request.source);
-  scaleTexels(environment, request.scale);
-  setWeights(environment);
-  place(environment, up, request.rotation);
-  return environment;
+  return readEnvironment(request, up, false).environment;
 }
 
 bool isImageFile(std::string_view source) { return source != kWhite && !source.starts_with(kSun); }

@@ -13,10 +13,12 @@
 namespace candela::formats {
 namespace {
 
-void surround(scene::LoadedScene& loaded, const scene::EnvironmentRequest& request) {
+void surround(scene::LoadedScene& loaded, const scene::EnvironmentRequest& request, bool isLenient) {
   scene::Scene& scene = loaded.scene;
   if (environment::isImageFile(request.source)) loaded.files.emplace_back(request.source);
-  scene.environment = environment::makeEnvironment(request, scene.up);
+  environment::ReadEnvironment read = environment::readEnvironment(request, scene.up, isLenient);
+  for (const std::string& warning : read.warnings) loaded.warnings.push_back({request.source, 0, 0, warning});
+  scene.environment = std::move(read.environment);
   scene.hash = environment::hashOf(*scene.environment, scene.hash);
   loaded.facts.emplace_back("environment", fmt::format("{}, {} x {} texels", scene.environment->name,
                                                        scene.environment->width, scene.environment->height));
@@ -31,7 +33,7 @@ std::span<const scene::Loader> allLoaders() {
 
 scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOptions& options) {
   scene::LoadedScene loaded = chooseLoader(allLoaders(), file).load(file, options);
-  if (options.hasEnvironment()) surround(loaded, options.environment);
+  if (options.hasEnvironment()) surround(loaded, options.environment, options.lenient);
   return loaded;
 }
 

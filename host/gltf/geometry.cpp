@@ -11,16 +11,27 @@
 namespace candela::gltf {
 namespace {
 
-/// Adds `weight` times a target's displacements to an attribute, of which it may move the first three components.
-template <class Vector>
-void addTarget(const Value& target, const char* name, float weight, const Vertices& vertices, Accessors& accessors,
-               std::vector<Vector>& values) {
+/// Adds `weight` times a target's displacements, which are of the type `Move`, to the first components of an attribute.
+template <class Move, class Vector>
+void addTarget(const Value& target, const std::string& name, float weight, const Vertices& vertices,
+               Accessors& accessors, std::vector<Vector>& values) {
   const std::optional<Value> reference = target.find(name);
   if (!reference || values.empty()) return;
   requireCount(*reference, accessors.type(*reference).count, vertices.count);
-  const std::vector<glm::vec3> moves = accessors.read<glm::vec3>(*reference, vertices.selection);
+  const std::vector<Move> moves = accessors.read<Move>(*reference, vertices.selection);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    for (glm::length_t c = 0; c < 3; ++c) values[i][c] += weight * moves[i][c];
+    for (glm::length_t c = 0; c < Move::length(); ++c) values[i][c] += weight * moves[i][c];
+  }
+}
+
+void addColours(const Value& target, float weight, const Vertices& vertices, Accessors& accessors,
+                std::vector<glm::vec4>& colours) {
+  const std::optional<Value> reference = target.find("COLOR_0");
+  if (!reference) return;
+  if (accessors.type(*reference).components == 4) {
+    addTarget<glm::vec4>(target, "COLOR_0", weight, vertices, accessors, colours);
+  } else {
+    addTarget<glm::vec3>(target, "COLOR_0", weight, vertices, accessors, colours);
   }
 }
 
@@ -31,10 +42,22 @@ void addTargets(const Value& primitive, std::span<const double> weights, const V
   for (std::size_t i = 0; i < targets->size() && i < weights.size(); ++i) {
     const auto weight = static_cast<float>(weights[i]);
     if (weight == 0) continue;
-    addTarget((*targets)[i], "POSITION", weight, vertices, accessors, mesh.positions);
-    addTarget((*targets)[i], "NORMAL", weight, vertices, accessors, mesh.normals);
-    addTarget((*targets)[i], "TANGENT", weight, vertices, accessors, mesh.tangents);
+    const Value target = (*targets)[i];
+    addTarget<glm::vec3>(target, "POSITION", weight, vertices, accessors, mesh.positions);
+    addTarget<glm::vec3>(target, "NORMAL", weight, vertices, accessors, mesh.normals);
+    addTarget<glm::vec3>(target, "TANGENT", weight, vertices, accessors, mesh.tangents);
+    for (std::size_t set = 0; set < mesh.texCoords.size(); ++set) {
+      const std::string name = fmt::format("TEXCOORD_{}", set);
+      addTarget<glm::vec2>(target, name, weight, vertices, accessors, mesh.texCoords[set]);
+    }
+    addColours(target, weight, vertices, accessors, mesh.colours);
   }
+}
+
+/// Colours are clamped to [0, 1] after morph targets have moved them: sections 3.7.2.1 and 3.7.2.2 of the
+/// specification.
+void clampColours(std::vector<glm::vec4>& colours) {
+  for (glm::vec4& colour : colours) colour = glm::clamp(colour, 0.0f, 1.0f);
 }
 
 /// Numbers the vertices that are used anew, in their order, and returns their old indices.
@@ -95,6 +118,7 @@ std::optional<Geometry> readGeometry(const Value& primitive, const GeometryUse& 
   readAttributes(source, vertices, mesh);
   if (use.isSkinned) geometry.influences = readInfluences(source, vertices);
   addTargets(primitive, use.morphWeights, vertices, accessors, mesh);
+  clampColours(mesh.colours);
   return geometry;
 }
 

@@ -74,13 +74,15 @@ std::string decodePercent(const Value& uri, std::string_view text) {
 bool isDataUri(std::string_view uri) { return equalsIgnoringCase(uri.substr(0, kDataScheme.size()), kDataScheme); }
 
 std::string decodeDataUri(const Value& uri) {
-  const std::string_view text = uri.text();
-  const std::size_t comma = text.find(',');
+  const std::string_view whole = uri.text();
+  const std::size_t comma = whole.find(',');
   if (comma == std::string_view::npos) uri.fail("the data URI has no comma");
-  const std::string_view type = text.substr(0, comma), data = text.substr(comma + 1);
+  const std::string_view type = whole.substr(0, comma), data = whole.substr(comma + 1);
   const bool isBase64 = equalsIgnoringCase(type.substr(type.size() - std::min(type.size(), kBase64Marker.size())),
                                            kBase64Marker);
-  return isBase64 ? decodeBase64(uri, data) : decodePercent(uri, data);
+  if (!isBase64) return decodePercent(uri, data);
+  const bool isEscaped = data.find('%') != std::string_view::npos;  // as URLSearchParams and encodeURIComponent() do
+  return isEscaped ? decodeBase64(uri, decodePercent(uri, data)) : decodeBase64(uri, data);
 }
 
 std::filesystem::path decodePath(const Value& uri) {

@@ -6,7 +6,7 @@
 namespace candela::gltf {
 namespace {
 
-std::vector<glm::vec4> readStoredColours(const VertexSource& source, const Vertices& vertices) {
+std::vector<glm::vec4> readColours(const VertexSource& source, const Vertices& vertices) {
   const std::optional<Value> reference = source.attribute("COLOR_0");
   if (!reference) return {};
   if (source.components(*reference, "COLOR_0") == 4)
@@ -14,13 +14,6 @@ std::vector<glm::vec4> readStoredColours(const VertexSource& source, const Verti
   const std::vector<glm::vec3> opaque = source.read<glm::vec3>("COLOR_0", vertices.count, vertices.selection);
   std::vector<glm::vec4> colours;
   for (const glm::vec3& colour : opaque) colours.emplace_back(colour, 1.0f);
-  return colours;
-}
-
-/// Colours are clamped to [0, 1]: section 3.7.2.1 of the specification.
-std::vector<glm::vec4> readColours(const VertexSource& source, const Vertices& vertices) {
-  std::vector<glm::vec4> colours = readStoredColours(source, vertices);
-  for (glm::vec4& colour : colours) colour = glm::clamp(colour, 0.0f, 1.0f);
   return colours;
 }
 

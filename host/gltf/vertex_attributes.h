@@ -14,7 +14,8 @@ struct Vertices {
 /// Returns the memory of all vertices and indices, used or not, in bytes.
 std::uint64_t bytesOf(const VertexSource& source, bool isSkinned);
 
-/// Sets the positions, normals, tangents, texture coordinates and colours of a mesh. Throws JsonError.
+/// Sets the positions, normals, tangents, texture coordinates and colours of a mesh, the colours as stored. Throws
+/// JsonError.
 void readAttributes(const VertexSource& source, const Vertices& vertices, scene::Mesh& mesh);
 
 /// Returns the joints of the vertices and their weights. Throws JsonError.

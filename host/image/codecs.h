@@ -17,18 +17,16 @@ using ByteView = std::span<const std::byte>;
 /// call it before they allocate memory.
 void checkImageSize(std::uint64_t width, std::uint64_t height);
 
-/// Refuses PNG files that claim more pixels than they can contain. Throws FileError.
-void checkPngPlausible(std::uint64_t pixelCount, std::size_t fileSize);
+/// Returns whether an ICC profile names sRGB in its texts, as those of sRGB do.
+bool namesSrgb(ByteView profile);
 
 /// Decoders accept any bytes and throw FileError, without the name of the file, if they are not an image.
-Pixels8 decodePng(ByteView file);
-Pixels8 decodeJpeg(ByteView file);
+Texels decodePng(ByteView file);
+Texels decodeJpeg(ByteView file);
+Texels decodeWebp(ByteView file);
 Image decodeHdr(ByteView file);
 Image decodePfm(ByteView file);
-Image decodeExr(ByteView file);
-/// These two return what decodeTexels() does for files of their formats.
-Texels decodePngTexels(ByteView file);
-Texels decodeWebp(ByteView file);
+Image decodeExr(ByteView file, ImageParts parts);
 
 /// Encoders require images that pass checkImageSize.
 Bytes encodePng(const Pixels8& pixels);

@@ -26,12 +26,13 @@ class ExrPixels {
   void addRgb(const char* name, std::size_t component) {
     add(name, Imf::FLOAT, &image_.rgb.data()->x + component, sizeof(glm::vec3));
   }
-  void addAlpha() { add(kAlphaChannel, Imf::FLOAT, image_.alpha.data(), sizeof(float)); }
+  void addAlpha(const char* name = kAlphaChannel) { add(name, Imf::FLOAT, image_.alpha.data(), sizeof(float)); }
   void addVariance() { add(kVarianceChannel, Imf::FLOAT, image_.luminanceVariance.data(), sizeof(float)); }
   void addSamples() { add(kSamplesChannel, Imf::UINT, image_.sampleCounts.data(), sizeof(std::uint32_t)); }
   void addBadSamples() { add(kBadSamplesChannel, Imf::UINT, image_.badSampleCounts.data(), sizeof(std::uint32_t)); }
-  void addChannel(const Channel& channel) {
-    add(channel.name.c_str(), Imf::FLOAT, channel.values.data(), sizeof(float));
+  /// `type` is FLOAT or UINT, which have equal sizes.
+  void addChannel(const Channel& channel, Imf::PixelType type = Imf::FLOAT) {
+    add(channel.name.c_str(), type, channel.values.data(), sizeof(float));
   }
   const Imf::FrameBuffer& frameBuffer() const { return frameBuffer_; }
 

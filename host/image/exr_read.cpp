@@ -5,6 +5,7 @@
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfPartType.h>
+#include <OpenEXR/ImfStandardAttributes.h>
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
@@ -12,7 +13,10 @@
 
 #include "host/core/errors.h"
 #include "host/image/byte_cursor.h"
+#include "host/image/chromaticities.h"
 #include "host/image/exr_attribute.h"
+#include "host/image/exr_colours.h"
+#include "host/image/exr_layers.h"
 #include "host/image/exr_pixels.h"
 
 namespace candela::image {
@@ -49,7 +53,8 @@ void checkHeader(ByteView bytes) {
   cursor.take(4);  // magic number
   const std::uint32_t flags = cursor.takeWord();
   if ((flags & kDeep) != 0) throw FileError("deep EXR files are not read");
-  if ((flags & kMultiPart) != 0) throw FileError("EXR files of several parts are not read");
+  if ((flags & kMultiPart) != 0)
+    throw FileError("EXR files of several parts are not read; extract one, for example by oiiotool --subimage");
   while (!cursor.takeUntil(isNul).empty()) {  // an empty name ends the header
     const std::string_view type = cursor.takeUntil(isNul);
     requireExrAttribute(type, cursor.take(cursor.takeWord()));
@@ -67,44 +72,49 @@ void limitSizes() {
   static_cast<void>(limited);
 }
 
+PixelBox boxOf(const Imath::Box2i& window) {
+  return {window.min.x, window.min.y, std::int64_t{window.max.x} - window.min.x + 1,
+          std::int64_t{window.max.y} - window.min.y + 1};
+}
+
 Imath::Box2i checkedWindow(const Imf::Header& header) {
   const Imath::Box2i window = header.dataWindow();
-  const std::int64_t width = std::int64_t{window.max.x} - window.min.x + 1;
-  const std::int64_t height = std::int64_t{window.max.y} - window.min.y + 1;
-  if (width < 1 || height < 1) throw FileError("the data window is empty");
-  checkImageSize(static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height));
+  const PixelBox box = boxOf(window);
+  if (box.isEmpty()) throw FileError("the data window is empty");
+  checkImageSize(static_cast<std::uint64_t>(box.width), static_cast<std::uint64_t>(box.height));
   return window;
 }
 
 /// Refuses files that claim more pixels than they can contain. Deflate expands one byte to at most 1032, the other
-/// methods to fewer, and a pixel has at least two bytes. DWA stores at least a value of two bytes, which it deflates,
-/// for each square of 8 x 8 pixels.
+/// methods to fewer, and a pixel has at least two bytes for each channel. DWA stores at least a value of two bytes,
+/// which it deflates, for each square of 8 x 8 pixels.
 void checkPlausible(const Imf::Header& header, std::size_t pixelCount, std::size_t fileSize) {
+  std::size_t channelCount = 0;
+  for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
+    if (channel.channel().xSampling == 1 && channel.channel().ySampling == 1) ++channelCount;
+  }
   constexpr std::size_t kMaxPixelsPerByte = 1032 / 2;
   const Imf::Compression compression = header.compression();
   const bool isDwa = compression == Imf::DWAA_COMPRESSION || compression == Imf::DWAB_COMPRESSION;
   const std::size_t maximum = isDwa ? 64 * kMaxPixelsPerByte : kMaxPixelsPerByte;
-  if (pixelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
-}
-
-bool hasChannel(const Imf::Header& header, const char* name) {
-  const Imf::Channel* channel = header.channels().findChannel(name);
-  return channel && channel->xSampling == 1 && channel->ySampling == 1;
+  if (pixelCount * channelCount / maximum > fileSize) throw FileError("not a valid EXR file: it is truncated");
 }
 
 /// Maps the colour channels of the file to those of the image.
-void addColour(const Imf::Header& header, ExrPixels& pixels) {
-  if (hasChannel(header, "R") && hasChannel(header, "G") && hasChannel(header, "B")) {
-    pixels.addRgb("R", 0);
-    pixels.addRgb("G", 1);
-    pixels.addRgb("B", 2);
-    return;
+void addColours(const ExrColours& colours, ExrPixels& pixels) {
+  for (std::size_t i = 0; i < colours.names.size(); ++i) pixels.addRgb(colours.names[i].c_str(), i);
+}
+
+/// Applies what the header says about the colours.
+void finishColours(const Imf::Header& header, const ExrColours& colours, Image& image) {
+  if (!colours.warning.empty()) image.warnings.push_back(colours.warning);
+  if (colours.names.size() == 1) {
+    for (glm::vec3& pixel : image.rgb) pixel = glm::vec3(pixel.x);
+  } else if (Imf::hasChromaticities(header)) {
+    const auto point = [](const Imath::V2f& xy) { return glm::dvec2(xy.x, xy.y); };
+    const Imf::Chromaticities& space = Imf::chromaticities(header);
+    convertToRec709({point(space.red), point(space.green), point(space.blue), point(space.white)}, image);
   }
-  const bool hasChroma = header.channels().findChannel("RY") || header.channels().findChannel("BY");
-  if (!hasChannel(header, "Y") || hasChroma) {
-    throw FileError("the EXR file has neither the channels R, G and B nor Y alone, each at full resolution");
-  }
-  pixels.addRgb("Y", 0);
 }
 
 std::map<std::string, std::string> metadataOf(const Imf::Header& header) {
@@ -117,7 +127,7 @@ std::map<std::string, std::string> metadataOf(const Imf::Header& header) {
   return metadata;
 }
 
-Image decode(ByteView bytes) {
+Image decode(ByteView bytes, ImageParts parts) {
   limitSizes();
   checkHeader(bytes);
   MemoryInput input(bytes);
@@ -127,34 +137,42 @@ Image decode(ByteView bytes) {
   const Imath::Box2i window = checkedWindow(header);
 
   Image image;
-  image.width = static_cast<std::uint32_t>(window.max.x - window.min.x + 1);
-  image.height = static_cast<std::uint32_t>(window.max.y - window.min.y + 1);
+  const PixelBox box = boxOf(window);
+  image.width = static_cast<std::uint32_t>(box.width);
+  image.height = static_cast<std::uint32_t>(box.height);
+  image.origin = {box.x, box.y};
+  image.frame = boxOf(header.displayWindow());
   const std::size_t pixelCount = std::size_t{image.width} * image.height;
   checkPlausible(header, pixelCount, bytes.size());
   image.rgb.resize(pixelCount);
-  if (hasChannel(header, kAlphaChannel)) image.alpha.resize(pixelCount);
-  if (hasChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
-  if (hasChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
-  if (hasChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
+  const ExrColours colours = chooseColours(header);
+  if (!colours.alpha.empty()) image.alpha.resize(pixelCount);
+  if (hasFullChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
+  if (hasFullChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);
+  if (hasFullChannel(header, kBadSamplesChannel)) image.badSampleCounts.resize(pixelCount);
   image.metadata = metadataOf(header);
+  if (parts == ImageParts::withLayers) addLayerChannels(header, colours, pixelCount, image);
+  image.isCubeMap = Imf::hasEnvmap(header) && Imf::envmap(header) == Imf::ENVMAP_CUBE;
 
   ExrPixels pixels(image, window);
-  addColour(header, pixels);
-  if (!image.alpha.empty()) pixels.addAlpha();
+  addColours(colours, pixels);
+  if (!image.alpha.empty()) pixels.addAlpha(colours.alpha.c_str());
   if (!image.luminanceVariance.empty()) pixels.addVariance();
   if (!image.sampleCounts.empty()) pixels.addSamples();
   if (!image.badSampleCounts.empty()) pixels.addBadSamples();
+  for (const Channel& channel : image.channels) {
+    const bool isInteger = header.channels().findChannel(channel.name)->type == Imf::UINT;
+    pixels.addChannel(channel, isInteger ? Imf::UINT : Imf::FLOAT);
+  }
   file.setFrameBuffer(pixels.frameBuffer());
   file.readPixels(window.min.y, window.max.y);
-  if (!hasChannel(header, "R")) {
-    for (glm::vec3& pixel : image.rgb) pixel = glm::vec3(pixel.x);
-  }
+  finishColours(header, colours, image);
   return image;
 }
 
 }  // namespace
 
-Image decodeExr(ByteView file) try { return decode(file); } catch (const Iex::BaseExc& error) {
+Image decodeExr(ByteView file, ImageParts parts) try { return decode(file, parts); } catch (const Iex::BaseExc& error) {
   throw FileError(fmt::format("not a valid EXR file: {}", error.what()));
 }
 

@@ -8,6 +8,7 @@
 #include <OpenEXR/ImfStringAttribute.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "host/core/errors.h"
@@ -36,8 +37,18 @@ class MemoryOutput : public Imf::OStream {
   std::uint64_t position_ = 0;
 };
 
+/// Throws FileError if a coordinate is beyond those that OpenEXR accepts.
+Imath::Box2i boxOf(const PixelBox& box) {
+  constexpr std::int64_t kMaxCoordinate = std::int64_t{1} << 29;
+  if (std::min(box.x, box.y) < -kMaxCoordinate || std::max(box.x + box.width, box.y + box.height) > kMaxCoordinate) {
+    throw FileError(fmt::format("the window {} is too far from the origin for an EXR file", boxText(box)));
+  }
+  const auto at = [](std::int64_t x, std::int64_t y) { return Imath::V2i(static_cast<int>(x), static_cast<int>(y)); };
+  return {at(box.x, box.y), at(box.x + box.width - 1, box.y + box.height - 1)};
+}
+
 Imf::Header makeHeader(const Image& image) {
-  Imf::Header header(static_cast<int>(image.width), static_cast<int>(image.height));
+  Imf::Header header(boxOf(frameOf(image)), boxOf(windowOf(image)));
   header.compression() = Imf::ZIP_COMPRESSION;
   Imf::addChromaticities(header, Imf::Chromaticities());  // the default is Rec. 709
   for (const char* name : {"R", "G", "B"}) header.channels().insert(name, Imf::Channel(Imf::FLOAT));

@@ -1,34 +1,39 @@
 // Reads Radiance RGBE files (Greg Ward, "Real Pixels", Graphics Gems II): uncompressed, and both kinds of run-length
 // encoding.
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "host/image/byte_cursor.h"
+#include "host/image/chromaticities.h"
 
 namespace candela::image {
 namespace {
 
 using Rgbe = std::array<std::uint8_t, 4>;
 
+/// One of the two axes of the resolution line.
+struct Axis {
+  bool isY = false;
+  bool isReversed = false;  ///< from the bottom or from the right
+  std::uint32_t size = 0;
+};
+
 struct Header {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
-  double exposure = 1;
+  Axis slow, fast;         ///< the axes of the scan lines, and of the pixels in a scan line
+  glm::dvec3 exposure{1};  ///< by which the pixels were multiplied
+  std::optional<Chromaticities> primaries;
+  std::vector<std::string> warnings;
 };
 
 [[noreturn]] void refuse(const char* what) { throw FileError(std::string("not a valid HDR file: ") + what); }
 
 std::string_view takeLine(ByteCursor& cursor) {
   return cursor.takeUntil([](char c) { return c == '\n'; });
-}
-
-/// Removes `prefix` from `text`. Returns whether it was there.
-bool skip(std::string_view& text, std::string_view prefix) {
-  if (!text.starts_with(prefix)) return false;
-  text.remove_prefix(prefix.size());
-  return true;
 }
 
 template <typename Number>
@@ -41,30 +46,73 @@ std::optional<Number> takeNumber(std::string_view& text) {
   return number;
 }
 
-/// Reads variables up to an empty line. Several exposures are multiplied.
-double takeExposure(ByteCursor& cursor) {
-  double exposure = 1;
-  for (std::string_view line = takeLine(cursor); !line.empty(); line = takeLine(cursor)) {
-    if (skip(line, "FORMAT=") && line != "32-bit_rle_rgbe") refuse("only 32-bit_rle_rgbe is read");
-    if (skip(line, "EXPOSURE=")) exposure *= takeNumber<double>(line).value_or(0);
+/// Reads `count` numbers after the name of a variable.
+std::optional<std::vector<double>> takeNumbers(std::string_view text, std::size_t count) {
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto number = takeNumber<double>(text);
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    numbers.push_back(*number);
   }
-  if (!(exposure > 0) || !std::isfinite(exposure)) refuse("EXPOSURE is not a positive number");
-  return exposure;
+  return numbers;
+}
+
+/// Applies EXPOSURE or COLORCORR. Several are multiplied.
+void multiplyExposure(std::string_view name, std::string_view value, Header& header) {
+  const std::size_t count = name == "COLORCORR" ? 3 : 1;
+  const auto numbers = takeNumbers(value, count);
+  if (!numbers || !std::ranges::all_of(*numbers, [](double number) { return number > 0; })) {
+    header.warnings.push_back(fmt::format("{}={} is ignored, since it is not positive", name, value));
+    return;
+  }
+  for (int c = 0; c < 3; ++c) header.exposure[c] *= (*numbers)[count == 3 ? static_cast<std::size_t>(c) : 0];
+}
+
+void takeVariable(std::string_view line, Header& header) {
+  const std::size_t equals = std::min(line.find('='), line.size());
+  const std::string_view name = line.substr(0, equals), value = line.substr(std::min(equals + 1, line.size()));
+  if (name == "FORMAT" && value != "32-bit_rle_rgbe") refuse("only 32-bit_rle_rgbe is read");
+  if (name == "EXPOSURE" || name == "COLORCORR") multiplyExposure(name, value, header);
+  if (name == "GAMMA" && takeNumbers(value, 1).value_or(std::vector{0.0})[0] != 1) {
+    header.warnings.push_back(fmt::format("GAMMA={} is ignored", value));
+  }
+  if (name == "PRIMARIES") {
+    const auto xy = takeNumbers(value, 8);
+    if (xy) {
+      const std::vector<double>& v = *xy;
+      header.primaries = Chromaticities{{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, {v[6], v[7]}};
+    } else {
+      header.warnings.push_back(fmt::format("PRIMARIES={} is ignored, since it is not eight numbers", value));
+    }
+  }
+}
+
+/// Reads an axis such as "-Y 480".
+Axis takeAxis(std::string_view& line) {
+  constexpr const char* kForms = "its size is not one of the eight forms of \"-Y height +X width\"";
+  if (line.size() < 3 || (line[0] != '-' && line[0] != '+') || (line[1] != 'Y' && line[1] != 'X')) refuse(kForms);
+  Axis axis{.isY = line[1] == 'Y'};
+  axis.isReversed = axis.isY == (line[0] == '+');
+  line.remove_prefix(2);
+  const auto size = takeNumber<std::uint32_t>(line);
+  if (!size) refuse(kForms);
+  axis.size = *size;
+  line.remove_prefix(std::min(line.find_first_not_of(" \r"), line.size()));
+  return axis;
 }
 
 Header takeHeader(ByteCursor& cursor) {
   takeLine(cursor);  // "#?RADIANCE" or "#?RGBE"
   Header header;
-  header.exposure = takeExposure(cursor);
+  for (std::string_view line = takeLine(cursor); !line.empty(); line = takeLine(cursor)) takeVariable(line, header);
+  const bool isUsable = glm::all(glm::lessThan(header.exposure, glm::dvec3(1e100))) &&
+                        glm::all(glm::greaterThan(header.exposure, glm::dvec3(1e-100)));
+  if (!isUsable) refuse("its exposures are too large or too small");
   std::string_view line = takeLine(cursor);
-  if (!skip(line, "-Y ")) refuse("only rows from the top are read (\"-Y height +X width\")");
-  const auto height = takeNumber<std::uint32_t>(line);
-  if (!height || !skip(line, " +X ")) refuse("only columns from the left are read (\"-Y height +X width\")");
-  const auto width = takeNumber<std::uint32_t>(line);
-  if (!width || !line.empty()) refuse("its size is not a number");
-  checkImageSize(*width, *height);
-  header.width = *width;
-  header.height = *height;
+  header.slow = takeAxis(line);
+  header.fast = takeAxis(line);
+  if (!line.empty() || header.slow.isY == header.fast.isY) refuse("its size has not both a width and a height");
+  checkImageSize(header.fast.size, header.slow.size);
   return header;
 }
 
@@ -117,11 +165,32 @@ void takeRow(ByteCursor& cursor, std::vector<Rgbe>& row) {
   for (std::size_t channel = 0; channel < 4; ++channel) takeChannel(cursor, row, channel);
 }
 
-/// Returns m * 2^(e - 136), as most programs do, so that 1 stays 1. (Ward's own code adds 1/2 to m.)
-glm::vec3 toLinear(const Rgbe& pixel, double exposure) {
+/// Returns m * 2^(e - 136), as most programs do, so that 1 stays 1 and files with rounded mantissas, such as those of
+/// encodeHdr(), have no bias. (Ward's own code truncates when it writes, and adds 1/2 to m when it reads.)
+glm::vec3 toLinear(const Rgbe& pixel, const glm::dvec3& exposure) {
   if (pixel[3] == 0) return glm::vec3(0);
-  const double unit = std::ldexp(1.0, int{pixel[3]} - 136) / exposure;
-  return glm::vec3(glm::dvec3(pixel[0], pixel[1], pixel[2]) * unit);
+  const double unit = std::ldexp(1.0, int{pixel[3]} - 136);
+  return glm::vec3(glm::dvec3(pixel[0], pixel[1], pixel[2]) * unit / exposure);
+}
+
+/// Brings scan lines of any direction into rows from the top, and pixels from the left.
+void orient(const Header& header, Image& image) {
+  const Axis& x = header.slow.isY ? header.fast : header.slow;
+  const Axis& y = header.slow.isY ? header.slow : header.fast;
+  image.width = x.size;
+  image.height = y.size;
+  if (header.slow.isY && !x.isReversed && !y.isReversed) return;
+  std::vector<glm::vec3> oriented(image.rgb.size());
+  std::size_t i = 0;
+  for (std::uint32_t line = 0; line < header.slow.size; ++line) {
+    for (std::uint32_t k = 0; k < header.fast.size; ++k) {
+      const std::uint32_t column = header.slow.isY ? k : line, row = header.slow.isY ? line : k;
+      const std::size_t left = x.isReversed ? x.size - 1 - column : column;
+      const std::size_t top = y.isReversed ? y.size - 1 - row : row;
+      oriented[top * x.size + left] = image.rgb[i++];
+    }
+  }
+  image.rgb = std::move(oriented);
 }
 
 }  // namespace
@@ -129,12 +198,15 @@ glm::vec3 toLinear(const Rgbe& pixel, double exposure) {
 Image decodeHdr(ByteView file) {
   ByteCursor cursor(file);
   const Header header = takeHeader(cursor);
-  Image image{header.width, header.height, {}, {}, {}, {}, {}};
-  std::vector<Rgbe> row(header.width);
-  for (std::uint32_t y = 0; y < header.height; ++y) {  // memory grows with the actual content of the file
-    takeRow(cursor, row);
-    for (const Rgbe& pixel : row) image.rgb.push_back(toLinear(pixel, header.exposure));
+  Image image;
+  std::vector<Rgbe> line(header.fast.size);
+  for (std::uint32_t i = 0; i < header.slow.size; ++i) {  // memory grows with the actual content of the file
+    takeRow(cursor, line);
+    for (const Rgbe& pixel : line) image.rgb.push_back(toLinear(pixel, header.exposure));
   }
+  orient(header, image);
+  image.warnings = header.warnings;
+  if (header.primaries) convertToRec709(*header.primaries, image);
   return image;
 }
 

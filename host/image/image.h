@@ -10,13 +10,17 @@
 #include <vector>
 
 #include "host/image/film.h"
+#include "host/image/pixel_box.h"
+#include "host/image/texels.h"
 
 namespace candela::image {
 
-/// Values of a named channel, one for each pixel, row by row from the top.
+/// Values of a named channel, one for each pixel, row by row from the top. If `isId` is true, the bits of the values
+/// are integers or hashes, and only their equality has a meaning.
 struct Channel {
   std::string name;
   std::vector<float> values;
+  bool isId = false;
 };
 
 /// Linear RGB, row by row from the top. The other vectors (variance of the luminance of one sample, number of samples,
@@ -31,10 +35,22 @@ struct Image {
   std::map<std::string, std::string> metadata;
   std::vector<float> alpha{};       ///< in [0, 1]; `rgb` is premultiplied, that is, over black
   std::vector<Channel> channels{};  ///< of layers; only EXR files have them
+  glm::i64vec2 origin{0};           ///< column and row of the first pixel in the plane of the picture
+  std::optional<PixelBox> frame{};  ///< the whole picture (OpenEXR's display window), of which the pixels may be a part
+                                    ///< or more; none: the pixels, from (0, 0)
+  bool isCubeMap = false;           ///< an EXR file says that its pixels are the six faces of an environment
+  std::vector<std::string> warnings{};  ///< what the file states about its pixels and the reader did not apply
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }
 };
+
+/// Returns the place of the image's pixels in the plane of the picture (OpenEXR's data window).
+PixelBox windowOf(const Image& image);
+/// Returns the frame of the picture (OpenEXR's display window).
+PixelBox frameOf(const Image& image);
+/// Returns the pixels of an image that are in `window`, which windowOf(image) must contain.
+Image partOf(const Image& image, const PixelBox& window);
 
 /// Returns the means of the film, rounded once to binary32, with variances and counts. If there are bad samples, the
 /// image has their counts, and the metadata entry "candela.badSamples" has their total.
@@ -85,12 +101,19 @@ Pixels8 toStraightPixels8(const Image& image, const DisplayTransform& transform)
 std::vector<std::byte> toPng(const Pixels8& pixels);
 /// Converts sRGB signals to linear values.
 Image toImage(const Pixels8& pixels);
+/// Converts the signals of a file of integers to linear values, and multiplies them by alpha, which the image has if a
+/// texel is not opaque.
+Image toImage(const Texels& texels);
+
+/// Returns whether the name stands for stdout: `-`, which receives a PNG file, or `-.exr` and so on, which name the
+/// format. (`./-.exr` is a file.)
+bool isStandardOutput(const std::filesystem::path& file);
 
 /// Checks the file name. Formats, by extension in any case: .png (8 bits, display transform, straight alpha), .jpg and
 /// .jpeg (quality 95), .hdr (Radiance RGBE, negative values become 0), .pfm (binary32, little-endian), .exr (binary32
 /// linear Rec. 709, ZIP; channels R G B and, if the image has them, A, by which R G B are multiplied, `variance.Y`,
-/// `samples` and `badSamples`, and the channels of layers; the metadata as string attributes). The other formats show
-/// an image with alpha over black. Throws UsageError for any other extension.
+/// `samples` and `badSamples`, and the channels of layers; the windows; the metadata as string attributes). The other
+/// formats show an image with alpha over black. Throws UsageError for any other extension.
 void checkImageFormat(const std::filesystem::path& file);
 /// Returns whether the extension is that of a format in which images are read and written.
 bool hasImageExtension(const std::filesystem::path& file);
@@ -98,18 +121,22 @@ bool hasImageExtension(const std::filesystem::path& file);
 bool isEightBit(const std::filesystem::path& file);
 /// Returns whether such a file is an EXR file, which has the channels of layers. Throws as checkImageFormat does.
 bool isExr(const std::filesystem::path& file);
-/// Writes an image file atomically: an error leaves no incomplete file. Equal images give equal bytes. Throws
-/// UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that EXR
-/// reserves, or if the file cannot be written.
+/// Writes an image file atomically, or to stdout: an error leaves no incomplete file. Equal images give equal bytes.
+/// Throws UsageError for the extension; FileError if the image is empty or too large, if the metadata use a name that
+/// EXR reserves, or if the file cannot be written.
 void writeImage(const std::filesystem::path& file, const Image& image, const DisplayTransform& transform);
-/// Reads PNG and JPEG (converted from sRGB), HDR, PFM and EXR, distinguished by their first bytes. From an EXR
-/// file, which must have a single flat part, it reads the data window: R, G and B, or Y alone as grey, A, `variance.Y`,
-/// `samples`, `badSamples` and the string attributes. HDR pixels are divided by the file's EXPOSURE. The magnitude of
-/// PFM's scale is ignored; only its sign is used. Invalid files give a FileError, never a crash.
-Image readImage(const std::filesystem::path& file);
-/// Reads the pixels of a PNG or JPEG file as stored. Grey becomes equal channels, palettes are resolved, 16 bits are
-/// rounded to 8, transparent pixels are composited over black, and a PNG that states a gamma other than that of sRGB is
-/// converted. Throws FileError.
+enum class ImageParts {
+  picture,     ///< colours, alpha, variances, counts and metadata
+  withLayers,  ///< `channels`, too: all channels of an EXR file at full resolution, except statistics of films
+};
+/// Reads a file of any format below, distinguished by its first bytes. Invalid files give a FileError, never a crash.
+/// PNG (8 and 16 bits), JPEG and WebP are converted from sRGB, or from the gamma that a PNG states, and multiplied by
+/// their alpha. From an EXR file, which must have a single flat part, it reads the data window: R, G and B, those of
+/// its only layer, or its only channel as grey; A, `variance.Y`, `samples`, `badSamples` and the string attributes. HDR
+/// pixels are divided by the file's EXPOSURE and COLORCORR, and PFM pixels multiplied by the scale. Colours of other
+/// primaries are converted to Rec. 709.
+Image readImage(const std::filesystem::path& file, ImageParts parts = ImageParts::picture);
+/// Returns the pixels of readImage() as sRGB signals of 8 bits, over black.
 Pixels8 readPixels8(const std::filesystem::path& file);
 
 }  // namespace candela::image

@@ -6,6 +6,7 @@
 
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/core/standard_output.h"
 #include "host/image/codecs.h"
 #include "host/image/image.h"
 #include "host/image/image_format.h"
@@ -32,38 +33,18 @@ Bytes readFile(const fs::path& file) {
   return bytes;
 }
 
-/// Decodes a file. Adds its name to the message of an error.
-template <typename Decode>
-auto decodeFile(const fs::path& file, Decode decode) {
-  const Bytes bytes = readFile(file);
-  try {
-    return decode(ByteView(bytes), formatByContent(bytes));
-  } catch (const FileError& error) {
-    failReading(file, error.what());
-  }
-}
-
-Pixels8 decodePixels8(ByteView bytes, FileFormat format) {
-  switch (format) {
-    case FileFormat::png:
-      return decodePng(bytes);
-    case FileFormat::jpeg:
-      return decodeJpeg(bytes);
-    default:
-      throw FileError("not a PNG or JPEG file");
-  }
-}
-
-Image decodeImage(ByteView bytes, FileFormat format) {
-  switch (format) {
+Image decodeImage(ByteView bytes, ImageParts parts) {
+  const std::optional<FileFormat> format = formatByContent(bytes);
+  if (!format) throw FileError("not a PNG, JPEG, WebP, HDR, PFM or EXR file");
+  switch (*format) {
     case FileFormat::hdr:
       return decodeHdr(bytes);
     case FileFormat::pfm:
       return decodePfm(bytes);
     case FileFormat::exr:
-      return decodeExr(bytes);
+      return decodeExr(bytes, parts);
     default:
-      return toImage(decodePixels8(bytes, format));
+      return toImage(decodeTexels(bytes));
   }
 }
 
@@ -79,6 +60,8 @@ Bytes encodeImage(FileFormat format, const Image& image, const DisplayTransform&
       return encodePfm(image);
     case FileFormat::exr:
       return encodeExr(image);
+    case FileFormat::webp:
+      break;
   }
   throw InternalError("an image format without an encoder");
 }
@@ -94,11 +77,22 @@ void writeImage(const fs::path& file, const Image& image, const DisplayTransform
   } catch (const FileError& error) {
     throw FileError(fmt::format("cannot write \"{}\": {}", file.string(), error.what()));
   }
-  writeFileAtomically(file, bytes);
+  if (isStandardOutput(file)) {
+    writeStandardOutput(bytes);
+  } else {
+    writeFileAtomically(file, bytes);
+  }
 }
 
-Image readImage(const fs::path& file) { return decodeFile(file, decodeImage); }
+Image readImage(const fs::path& file, ImageParts parts) {
+  const Bytes bytes = readFile(file);
+  try {
+    return decodeImage(bytes, parts);
+  } catch (const FileError& error) {
+    failReading(file, error.what());
+  }
+}
 
-Pixels8 readPixels8(const fs::path& file) { return decodeFile(file, decodePixels8); }
+Pixels8 readPixels8(const fs::path& file) { return toPixels8(readImage(file), {}); }
 
 }  // namespace candela::image

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <string_view>
 
 #include "host/core/errors.h"
@@ -28,24 +27,31 @@ std::optional<FileFormat> formatByExtension(const fs::path& file) {
 
 }  // namespace
 
-FileFormat formatByContent(ByteView bytes) {
-  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 4));
+std::optional<FileFormat> formatByContent(ByteView bytes) {
+  const std::string_view start(reinterpret_cast<const char*>(bytes.data()), std::min<std::size_t>(bytes.size(), 12));
   if (start.starts_with("\x89PNG")) return FileFormat::png;
   if (start.starts_with("\xff\xd8")) return FileFormat::jpeg;
+  if (start.starts_with("RIFF") && start.ends_with("WEBP")) return FileFormat::webp;
   if (start.starts_with("#?")) return FileFormat::hdr;
   if (start.starts_with("PF") || start.starts_with("Pf")) return FileFormat::pfm;
   if (start.starts_with("\x76\x2f\x31\x01")) return FileFormat::exr;
-  throw FileError("not a PNG, JPEG, HDR, PFM or EXR file");
+  return std::nullopt;
 }
 
 FileFormat requireFormat(const fs::path& file) {
-  const std::optional<FileFormat> format = formatByExtension(file);
+  const std::optional<FileFormat> format = file == "-" ? FileFormat::png : formatByExtension(file);
   if (format) return *format;
   throw UsageError(fmt::format("\"{}\": the name of an image file must end in .png, .jpg, .jpeg, .hdr, .pfm or .exr",
                                file.string()));
 }
 
-bool hasImageExtension(const fs::path& file) { return formatByExtension(file).has_value(); }
+bool isStandardOutput(const fs::path& file) {
+  return file == "-" || (!file.has_parent_path() && file.stem() == "-" && formatByExtension(file));
+}
+
+bool hasImageExtension(const fs::path& file) {
+  return formatByExtension(file).has_value() || extensionOf(file) == ".webp";
+}
 
 void checkImageFormat(const fs::path& file) { requireFormat(file); }
 

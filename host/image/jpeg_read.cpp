@@ -6,6 +6,7 @@
 
 #include <csetjmp>
 #include <cstdio>
+#include <cstdlib>
 
 #include "host/core/errors.h"
 #include "host/image/codecs.h"
@@ -31,7 +32,8 @@ struct ErrorHandler {
 /// Turns warnings into errors. Damaged data are only a warning to libjpeg, which would continue with grey pixels.
 void refuseDamage(j_common_ptr info, int level) {
   const int code = info->err->msg_code;
-  const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_JFIF_MAJOR || code == JWRN_ADOBE_XFORM;
+  const bool harmless = code == JWRN_EXTRANEOUS_DATA || code == JWRN_JFIF_MAJOR || code == JWRN_ADOBE_XFORM ||
+                        code == JWRN_BOGUS_ICC;
   if (level < 0 && !harmless) leave(info);
 }
 
@@ -58,6 +60,17 @@ class JpegReader {
   std::uint32_t width() const { return info_.image_width; }
   std::uint32_t height() const { return info_.image_height; }
 
+  /// Returns whether there is an ICC profile that does not name sRGB.
+  bool hasProfile() {
+    if (setjmp(errors_.jump)) fail();
+    JOCTET* profile = nullptr;
+    unsigned int size = 0;
+    if (!jpeg_read_icc_profile(&info_, &profile, &size)) return false;
+    const bool isOther = !namesSrgb({reinterpret_cast<const std::byte*>(profile), size});
+    std::free(profile);
+    return isOther;
+  }
+
   void readRgb(std::uint8_t* rgb) {
     if (!decode(rgb)) fail();
   }
@@ -72,6 +85,7 @@ class JpegReader {
     progress_.progress_monitor = limitScans;
     info_.progress = &progress_;
     jpeg_mem_src(&info_, reinterpret_cast<const unsigned char*>(file.data()), file.size());
+    jpeg_save_markers(&info_, JPEG_APP0 + 2, 0xffff);  // ICC profiles
     jpeg_read_header(&info_, TRUE);
     return true;
   }
@@ -104,14 +118,22 @@ void requirePlausible(std::uint64_t pixelCount, std::size_t fileSize) {
 
 }  // namespace
 
-Pixels8 decodeJpeg(ByteView file) {
+Texels decodeJpeg(ByteView file) {
   JpegReader reader(file);
   checkImageSize(reader.width(), reader.height());
   requirePlausible(std::uint64_t{reader.width()} * reader.height(), file.size());
-  const std::size_t byteCount = std::size_t{3} * reader.width() * reader.height();
-  Pixels8 pixels{reader.width(), reader.height(), std::vector<std::uint8_t>(byteCount)};
-  reader.readRgb(pixels.rgb.data());
-  return pixels;
+  const std::size_t pixelCount = std::size_t{reader.width()} * reader.height();
+  std::vector<std::uint8_t> rgb(3 * pixelCount);
+  const bool hasProfile = reader.hasProfile();
+  reader.readRgb(rgb.data());
+  constexpr std::uint32_t kOpaque = 255u << 24;
+  Texels texels{reader.width(), reader.height(), std::vector<std::uint32_t>(pixelCount)};
+  for (std::size_t i = 0; i < pixelCount; ++i) {
+    const std::uint8_t* const pixel = &rgb[3 * i];
+    texels.rgba[i] = pixel[0] | std::uint32_t{pixel[1]} << 8 | std::uint32_t{pixel[2]} << 16 | kOpaque;
+  }
+  texels.hasProfile = hasProfile;
+  return texels;
 }
 
 }  // namespace candela::image

@@ -94,8 +94,8 @@ ImageComparison compareImages(const Image& a, const Image& reference, const Diff
       const double largest = std::max({difference.x, difference.y, difference.z});
       if (largest > result.maximumDifference) {
         result.maximumDifference = largest;
-        result.maximumX = x;
-        result.maximumY = y;
+        result.maximumX = a.origin.x + x;
+        result.maximumY = a.origin.y + y;
       }
       if (differs(difference, expected, tolerance)) ++result.differingCount;
     }

@@ -37,8 +37,8 @@ struct ImageComparison {
   double peakSignalToNoise = 0;
 
   double maximumDifference = 0;  ///< maximum of |a - b| over all channels
-  std::uint32_t maximumX = 0;    ///< the first pixel with this difference, row by row
-  std::uint32_t maximumY = 0;
+  std::int64_t maximumX = 0;     ///< the first pixel with this difference, row by row, in the plane of the picture
+  std::int64_t maximumY = 0;
   DifferenceTolerance tolerance;
   std::uint64_t differingCount = 0;  ///< pixels with a channel beyond the tolerance
   /// differingCount as a fraction of the compared pixels; 0 if there are none.
@@ -50,6 +50,8 @@ ImageComparison compareImages(const Image& a, const Image& reference, const Diff
 
 /// Returns lines of text, each ending in a newline.
 std::string toText(const ImageComparison& comparison);
+/// Returns whether every pixel has equal colours.
+bool isIdentical(const ImageComparison& comparison);
 /// Returns the numbers as docs/json.md names them. JSON has no infinity: such numbers are null.
 nlohmann::ordered_json toJson(const ImageComparison& comparison);
 

@@ -12,10 +12,10 @@ nlohmann::ordered_json toJson(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
+bool isIdentical(const ImageComparison& c) { return c.maximumDifference == 0 && c.notFiniteCount == 0; }
+
 std::string toText(const ImageComparison& c) {
-  const bool isIdentical = c.maximumDifference == 0 && c.notFiniteCount == 0;
-  std::string text = isIdentical ? "the images are identical\n" : "";
-  text += fmt::format("size                  {} x {}\n", c.width, c.height);
+  std::string text = fmt::format("size                  {} x {}\n", c.width, c.height);
   if (c.notFiniteCount > 0) text += fmt::format("not finite            {} pixels, ignored\n", c.notFiniteCount);
   text += fmt::format("mean                  {:.6g} {:.6g} {:.6g}, luminance {:.6g}\n", c.mean.x, c.mean.y, c.mean.z,
                       c.meanLuminance);
@@ -25,7 +25,7 @@ std::string toText(const ImageComparison& c) {
   text += fmt::format("MSE                   {:.6g}\n", c.meanSquaredError);
   text += fmt::format("relMSE                {:.6g}\n", c.relativeMeanSquaredError);
   text += fmt::format("PSNR                  {}\n",
-                      isIdentical ? "infinite" : fmt::format("{:.2f} dB", c.peakSignalToNoise));
+                      isIdentical(c) ? "infinite" : fmt::format("{:.2f} dB", c.peakSignalToNoise));
   text += fmt::format("maximum difference    {:.6g} at {} {}\n", c.maximumDifference, c.maximumX, c.maximumY);
   text += fmt::format("pixels that differ    {} ({:.4g} %) by more than {:g} relative and {:g} absolute\n",
                       c.differingCount, 100 * c.differingFraction, c.tolerance.relative, c.tolerance.absolute);

@@ -51,13 +51,15 @@ Image decodePfm(ByteView file) {
   const ByteView data = cursor.take(pixelBytes * width * height);
   Image image{width, height, std::vector<glm::vec3>(std::size_t{width} * height), {}, {}, {}, {}};
   const bool littleEndian = scale < 0;
+  const auto factor = static_cast<float>(std::abs(scale));
   for (std::uint32_t row = 0; row < height; ++row) {
     for (std::uint32_t x = 0; x < width; ++x) {
       const std::byte* pixel = data.data() + pixelBytes * (std::size_t{row} * width + x);
       const float red = toFloat(pixel, littleEndian);
-      image.at(x, height - 1 - row) = grey ? glm::vec3(red)
-                                           : glm::vec3(red, toFloat(pixel + 4, littleEndian),
-                                                       toFloat(pixel + 8, littleEndian));
+      const glm::vec3 colour = grey
+                                   ? glm::vec3(red)
+                                   : glm::vec3(red, toFloat(pixel + 4, littleEndian), toFloat(pixel + 8, littleEndian));
+      image.at(x, height - 1 - row) = factor * colour;
     }
   }
   return image;

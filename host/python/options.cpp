@@ -42,7 +42,7 @@ const FunctionOptions kExplainOptions{"explain",
 const FunctionOptions kCompareTracersOptions{
     "compare", Command::compare, {OptionGroup::image, OptionGroup::execution}, {"--alpha", "--bias"}, {"--memory"}};
 const FunctionOptions kCompareImagesOptions{
-    "compare", Command::compare, {}, {"--alpha", "--bias", "--tolerance", "--tonemap", "--exposure"}};
+    "compare", Command::compare, {}, {"--alpha", "--bias", "--tolerance", "--channels", "--tonemap", "--exposure"}};
 const FunctionOptions kSaveOptions{
     "Film.save", Command::render, {}, {"--tonemap", "--exposure", "--denoise", "--device", "--no-cache"}};
 const FunctionOptions kDenoiseOptions{

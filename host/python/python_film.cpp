@@ -68,7 +68,10 @@ std::filesystem::path takeFilmFile(const py::kwargs& options) {
 void save(const PythonFilm& film, const py::args& files, const py::kwargs& options) {
   const Files outputs = filesOf(files);
   const std::filesystem::path filmFile = takeFilmFile(options);
-  for (const auto& file : outputs) cli::requireWritableImage(file);
+  for (const auto& file : outputs) {
+    if (image::isStandardOutput(file)) throw UsageError(file.string() + ": name a file; to_png() returns bytes");
+    cli::requireWritableImage(file);
+  }
   if (!filmFile.empty()) cli::requireWritableFilm(filmFile);
   const cli::Arguments arguments = savingArguments(film, outputs, filmFile, options);
   requireSeparate(arguments, film.files);
@@ -150,7 +153,7 @@ void defineArrays(py::class_<PythonFilm, Film>& type) {
 }  // namespace
 
 const image::Image& PythonFilm::picture() const {
-  std::call_once(once_, [this] { picture_ = cli::pictureOf(film, header.hasAlpha(), metadata); });
+  std::call_once(once_, [this] { picture_ = cli::pictureOf(header, film, metadata); });
   return picture_;
 }
 

@@ -150,12 +150,13 @@ image::Image imageOfArray(const py::handle& value) {
 
 image::Image imageFrom(const py::handle& value) {
   if (py::isinstance<PythonFilm>(value)) return pictureOf(value.cast<const PythonFilm&>());
-  return isFileName(value) ? image::readImage(fileOf("image", value)) : imageOfArray(value);
+  return isFileName(value) ? image::readImage(fileOf("image", value), image::ImageParts::withLayers)
+                           : imageOfArray(value);
 }
 
 Comparison compareImages(const py::object& a, const py::object& b, const py::kwargs& options) {
   const cli::Arguments arguments = argumentsOf(kCompareImagesOptions, options);
-  const image::Image first = imageFrom(a), reference = imageFrom(b);
+  image::Image first = imageFrom(a), reference = imageFrom(b);
   cli::ImagePair pair;
   runWatched([&](const Watch&) { pair = comparePair(arguments, first, reference); });
   const auto conclusion = pair.verdict.isGiven() ? std::optional(pair.verdict.conclusion()) : std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "host/core/errors.h"
@@ -15,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array kFaceNames{"right", "left", "top", "bottom", "front", "back"};
-constexpr std::array kExtensions{".jpg", ".jpeg", ".png"};
+constexpr std::array kExtensions{".jpg", ".jpeg", ".png", ".webp", ".hdr", ".exr", ".pfm"};
 
 fs::path findFace(const fs::path& folder, const std::string& name) {
   for (const char* extension : kExtensions) {
@@ -26,8 +27,16 @@ fs::path findFace(const fs::path& folder, const std::string& name) {
   throw FileError(fmt::format("the sky box {} has no {}.jpg or {}.png", quote(folder.string()), name, name));
 }
 
-SkyFace readFace(const fs::path& file) {
-  image::Pixels8 pixels = image::readPixels8(file);
+SkyFace readFace(const fs::path& file, std::vector<std::string>& warnings) {
+  const image::Image image = image::readImage(file);
+  for (const std::string& warning : image.warnings) warnings.push_back(fmt::format("{}: {}", file.string(), warning));
+  const auto isBright = [](const glm::vec3& pixel) { return glm::any(glm::greaterThan(pixel, glm::vec3(1))); };
+  if (std::ranges::any_of(image.rgb, isBright)) {
+    warnings.push_back(fmt::format(
+        "{}: values above 1 are clipped, since faces of sky boxes have 8 bits; --env reads maps of any brightness",
+        file.string()));
+  }
+  image::Pixels8 pixels = toPixels8(image, {});
   const bool fits = pixels.width <= kMaxSkySide && pixels.height <= kMaxSkySide;
   if (!fits) {
     throw FileError(fmt::format("{} has {} x {} pixels; a face of a sky box may have at most {} per side",
@@ -38,7 +47,7 @@ SkyFace readFace(const fs::path& file) {
 
 }  // namespace
 
-std::optional<Sky> loadSky(const fs::path& folder, PathGuard& guard) {
+std::optional<Sky> loadSky(const fs::path& folder, PathGuard& guard, std::vector<std::string>& warnings) {
   guard.require(folder);
   std::error_code error;
   if (!fs::is_directory(folder, error)) return std::nullopt;
@@ -46,7 +55,7 @@ std::optional<Sky> loadSky(const fs::path& folder, PathGuard& guard) {
   for (std::size_t i = 0; i < kFaceNames.size(); ++i) {
     const fs::path file = findFace(folder, kFaceNames[i]);
     guard.require(file);
-    sky.faces[i] = readFace(file);
+    sky.faces[i] = readFace(file, warnings);
   }
   return sky;
 }

@@ -2,6 +2,8 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "host/scene/path_guard.h"
 #include "host/scene/scene.h"
@@ -11,8 +13,9 @@ namespace candela::scene {
 /// Maximum side of a face, in texels.
 inline constexpr std::uint32_t kMaxSkySide = 8192;
 
-/// `folder` holds right, left, top, bottom, front and back, each .jpg, .jpeg or .png. The folder and each image, links
-/// resolved, must be permitted by `guard`. Empty if there is no such folder. Throws FileError.
-std::optional<Sky> loadSky(const std::filesystem::path& folder, PathGuard& guard);
+/// `folder` holds right, left, top, bottom, front and back, each an image file of a format that is read. The folder and
+/// each image, links resolved, must be permitted by `guard`. Faces have 8 bits: brighter pixels are clipped, with a
+/// warning. Empty if there is no such folder. Throws FileError.
+std::optional<Sky> loadSky(const std::filesystem::path& folder, PathGuard& guard, std::vector<std::string>& warnings);
 
 }  // namespace candela::scene

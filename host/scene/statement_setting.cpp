@@ -22,8 +22,10 @@ void parseSky(Parser& parser) {
   const Token name = parser.tokens.takeRestOfLine();
   const bool printable = std::ranges::none_of(name.text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
   if (!printable) StatementReader::fail(name.position, "the sky's folder has a control character in its name");
+  std::vector<std::string> warnings;
   try {
-    parser.scene.sky = loadSky(parser.folder / name.text, parser.guard);
+    parser.scene.sky = loadSky(parser.folder / name.text, parser.guard, warnings);
+    for (const std::string& warning : warnings) parser.log.warn(warning, name.position, warning);
   } catch (const FileError& error) {
     return parser.deviation("sky", name.position, error.what());
   }

@@ -75,10 +75,83 @@ TEST_CASE("images that cannot be compared are an error, and nothing is written")
   const std::string small = writeGrey(folder, "small.exr", 0.5f, 4);
   const std::string broken = folder.write("broken.exr", "no image");
   const std::string difference = folder.path("difference.png");
-  CHECK(runCandela({"compare", a, small, "--diff", difference}).exitCode == 1);
+  CHECK(runCandela({"compare", a, small, "--diff", difference}).exitCode == 3);
   CHECK(runCandela({"compare", a, broken, "--diff", difference}).exitCode == 2);
   CHECK(runCandela({"compare", a, folder.path("missing.exr"), "--diff", difference}).exitCode == 2);
   CHECK(folder.fileCount() == 3);
+}
+
+TEST_CASE("pictures in different places differ, whatever the tolerance") {
+  const TemporaryFolder folder;
+  image::Image image{4, 4, std::vector<glm::vec3>(16, glm::vec3(0.5f)), {}, {}, {}, {}};
+  image.frame = image::PixelBox{0, 0, 8, 8};
+  const auto writeAt = [&](const char* name, std::int64_t x) {
+    image.origin.x = x;
+    writeImage(folder.path(name), image, {});
+    return folder.path(name);
+  };
+  const std::string left = writeAt("left.exr", 0), right = writeAt("right.exr", 4);
+  const ProgramResult apart = runCandela({"compare", left, right});
+  CHECK(apart.exitCode == 3);
+  CHECK(contains(apart.out, "different places: A has the window 0,0,4,4 of the frame and B the window 4,0,4,4"));
+  const json report = json::parse(runCandela({"compare", left, right, "--tolerance", "1e9", "--json", "-"}).out);
+  CHECK(report["agrees"] == false);
+  CHECK(report.contains("apart"));
+
+  image.frame.reset();
+  const std::string frame = writeAt("frame.exr", 0);
+  const ProgramResult frames = runCandela({"compare", left, frame, "--diff", folder.path("difference.png")});
+  CHECK(frames.exitCode == 3);
+  CHECK(contains(frames.out, "A has the frame 0,0,8,8 and B the frame 0,0,4,4"));
+  CHECK(contains(frames.err, "none is written"));
+  CHECK(folder.fileCount() == 3);
+}
+
+TEST_CASE("a crop agrees with its picture, and positions are those of the picture") {
+  const TemporaryFolder folder;
+  image::Image whole;
+  whole.width = whole.height = 8;
+  for (int i = 0; i < 64; ++i) whole.rgb.emplace_back(static_cast<float>(i));
+  image::Image crop = partOf(whole, {2, 3, 4, 4});
+  writeImage(folder.path("whole.exr"), whole, {});
+  writeImage(folder.path("crop.exr"), crop, {});
+  const ProgramResult same = runCandela(
+      {"compare", folder.path("crop.exr"), folder.path("whole.exr"), "--tolerance", "0"});
+  CHECK(same.exitCode == 0);
+  CHECK(contains(same.out, "window                2,3,4,4 of the frame 0,0,8,8\n"));
+  crop.at(1, 1) += 1.0f;
+  writeImage(folder.path("crop.exr"), crop, {});
+  const json other = json::parse(
+      runCandela({"compare", folder.path("whole.exr"), folder.path("crop.exr"), "--json", "-"}).out);
+  CHECK(other["window"] == "2,3,4,4");
+  CHECK(other["worst"]["x"] == 3);
+  CHECK(other["worst"]["y"] == 4);
+}
+
+TEST_CASE("alpha and layers are compared with the tolerance, and --channels selects") {
+  const TemporaryFolder folder;
+  image::Image image{2, 1, std::vector<glm::vec3>(2, glm::vec3(0.5f)), {}, {}, {}, {}};
+  image.alpha = {1, 0.25f};
+  image.channels = {{"Z", {1, 2}}, {"N.X", {0, 1}}};
+  writeImage(folder.path("a.exr"), image, {});
+  image.alpha = {1, 0.5f};
+  image.channels = {{"Z", {1, 2}}};
+  writeImage(folder.path("b.exr"), image, {});
+  const auto compare = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"compare", folder.path("a.exr"), folder.path("b.exr")};
+    words.insert(words.end(), options.begin(), options.end());
+    return runCandela(words);
+  };
+  const ProgramResult result = compare({"--tolerance", "0"});
+  CHECK(result.exitCode == 3);
+  CHECK(contains(result.out, "FAIL: the tolerance of relMSE is 0, beyond which are: A\n"));
+  CHECK(contains(result.out, "channel Z             equal\n"));
+  CHECK(contains(result.out, "only in A             N.X\n"));
+  CHECK(!contains(result.out, "identical"));
+  CHECK(compare({"--tolerance", "0", "--channels", "R,G,B,Z"}).exitCode == 0);
+  CHECK(compare({"--tolerance", "0", "--channels", "A"}).exitCode == 3);
+  CHECK(compare({"--channels", "normal"}).exitCode == 1);
+  CHECK(compare({"--channels", "R,,G"}).exitCode == 1);
 }
 
 TEST_CASE("a value that is not a number exceeds any tolerance") {

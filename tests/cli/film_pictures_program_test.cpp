@@ -97,6 +97,9 @@ TEST_CASE("a crop has the pixels of the full image, in pictures as in films") {
   REQUIRE(crop.width == 20);
   REQUIRE(crop.height == 9);
   CHECK(crop.metadata.at("candela.crop") == "11,7,20,9");
+  CHECK(windowOf(crop) == image::PixelBox{11, 7, 20, 9});
+  CHECK(frameOf(crop) == windowOf(full));
+  CHECK(runCandela({"compare", folder.path("crop.exr"), folder.path("full.exr"), "--tolerance", "0"}).exitCode == 0);
   for (std::uint32_t y = 0; y < 9; ++y) {
     for (std::uint32_t x = 0; x < 20; ++x) CHECK(crop.at(x, y) == full.at(11 + x, 7 + y));
   }

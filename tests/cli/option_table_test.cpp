@@ -82,6 +82,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--partial", "", ""},
       {"--exposure", "STOPS", "0"},
       {"--tolerance", "T", ""},
+      {"--channels", "NAMES", ""},
       {"--diff", "FILE", ""},
       {"--flip", "FILE", ""},
       {"--alpha", "A", "0.0001", Command::compare},

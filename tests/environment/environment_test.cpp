@@ -1,6 +1,9 @@
 // Environments from files and by name, and their effect on a scene that is loaded with one.
 #include "host/environment/environment.h"
 
+#include <OpenEXR/ImfRgbaFile.h>
+#include <OpenEXR/ImfStandardAttributes.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +12,7 @@
 #include "host/core/errors.h"
 #include "host/formats/load_scene.h"
 #include "host/image/image.h"
+#include "tests/core/temporary_folder.h"
 
 using namespace candela;
 using namespace candela::environment;
@@ -78,6 +82,63 @@ TEST_CASE("a map with a radiance that is not finite is refused, with the place o
   CHECK_THROWS_WITH(makeEnvironment({.source = file.path()}, {0, 1, 0}), Catch::Contains("pixel 2,1 is not finite"));
   const MapFile finite(gradient());
   CHECK_THROWS_AS(makeEnvironment({.source = finite.path(), .rotation = 0, .scale = 1e39}, {0, 1, 0}), FileError);
+}
+
+TEST_CASE("a cube map is refused by its attribute, and a map of latitude and longitude is read") {
+  for (const auto& [kind, isRead] : {std::pair(Imf::ENVMAP_LATLONG, true), std::pair(Imf::ENVMAP_CUBE, false)}) {
+    const TemporaryFolder folder;
+    const std::string file = folder.path() / "map.exr";
+    Imf::Header header(1, 6);
+    Imf::addEnvmap(header, kind);
+    const std::vector<Imf::Rgba> pixels(6, Imf::Rgba(1, 2, 3));
+    {
+      Imf::RgbaOutputFile output(file.c_str(), header, Imf::WRITE_RGB);
+      output.setFrameBuffer(pixels.data(), 1, 1);
+      output.writePixels(6);
+    }
+    if (isRead) {
+      CHECK(makeEnvironment({.source = file}, {0, 1, 0}).texels == std::vector<vec3>(6, vec3(1, 2, 3)));
+    } else {
+      CHECK_THROWS_WITH(makeEnvironment({.source = file}, {0, 1, 0}), Catch::Contains("is a cube map (envmap = cube)"));
+    }
+  }
+}
+
+TEST_CASE("lenient reading replaces pixels that are not finite by black, and tells their number") {
+  image::Image image = gradient();
+  image.rgb[6].y = std::numeric_limits<float>::infinity();
+  image.rgb[1].x = std::numeric_limits<float>::quiet_NaN();
+  const MapFile file(image);
+  const ReadEnvironment read = readEnvironment({.source = file.path()}, {0, 1, 0}, true);
+  CHECK(read.environment.texels[6] == vec3(0));
+  CHECK(read.environment.texels[1] == vec3(0));
+  CHECK(read.environment.texels[5] == gradient().rgb[5]);
+  REQUIRE(read.warnings.size() == 1);
+  CHECK(read.warnings[0] == "2 of 8 pixels are not finite, and are replaced by black");
+}
+
+TEST_CASE("an EXR map covers its display window, and is black outside the data window") {
+  image::Image image = gradient();  // 4 x 2
+  image.origin = {6, 3};
+  image.frame = image::PixelBox{2, 1, 7, 5};  // cuts off the last column of the data window
+  const MapFile file(image, "map.exr");
+  const scene::Environment map = makeEnvironment({.source = file.path()}, {0, 1, 0});
+  REQUIRE(map.width == 7);
+  REQUIRE(map.height == 5);
+  for (std::uint32_t y = 0; y < 5; ++y) {
+    for (std::uint32_t x = 0; x < 7; ++x) {
+      const bool isInside = x >= 4 && y >= 2 && y < 4;
+      CHECK(map.texels[y * 7 + x] == (isInside ? gradient().at(x - 4, y - 2) : vec3(0)));
+    }
+  }
+  image.origin = {20, 3};
+  const MapFile outside(image, "map.exr");
+  const ReadEnvironment black = readEnvironment({.source = outside.path()}, {0, 1, 0}, false);
+  CHECK(black.environment.texels == std::vector<vec3>(35, vec3(0)));
+  CHECK_THAT(black.warnings.at(0), Catch::Contains("outside the display window"));
+  image.frame = image::PixelBox{0, 0, 1 << 20, 1 << 20};
+  const MapFile huge(image, "map.exr");
+  CHECK_THROWS_WITH(makeEnvironment({.source = huge.path()}, {0, 1, 0}), Catch::Contains("at most 33554432 pixels"));
 }
 
 TEST_CASE("an environment that does not exist or is no image is refused") {

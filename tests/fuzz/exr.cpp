@@ -3,5 +3,5 @@
 #include "tests/fuzz/fuzz.h"
 
 void candela::fuzz::run(Input input) {
-  expectErrors([&] { image::decodeExr(std::as_bytes(input)); });
+  expectErrors([&] { image::decodeExr(std::as_bytes(input), image::ImageParts::withLayers); });
 }

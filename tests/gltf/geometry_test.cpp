@@ -159,6 +159,27 @@ TEST_CASE("morph targets add to positions by the weights of the mesh, or those o
   CHECK(sceneOf(file).meshes.at(0).positions[0] == glm::vec3(5, 0, 0));
 }
 
+TEST_CASE("morph targets add to colours, which are clamped afterwards, and to texture coordinates") {
+  GltfFile file = triangleFile();
+  json& attributes = file.primitive()["attributes"];
+  attributes["COLOR_0"] = file.vectors({1, 0, 0, 0, 0.5f, 0, 0, 0, 1.5f}, "VEC3", 3);
+  attributes["TEXCOORD_0"] = file.vectors({0, 0, 1, 0, 0, 1}, "VEC2", 2);
+  attributes["TEXCOORD_1"] = file.vectors({0, 0, 0, 0, 0, 0}, "VEC2", 2);
+  file.primitive()["targets"] = {{{"COLOR_0", file.vectors({-1, 1, 0, 0, 4, 0, 0, 0, -2}, "VEC3", 3)},
+                                  {"TEXCOORD_0", file.vectors({1, 2, 0, 0, 0, 4}, "VEC2", 2)}},
+                                 {{"COLOR_0", file.vectors({0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 0, 0}, "VEC4", 4)},
+                                  {"TEXCOORD_1", file.vectors({0, 1, 0, 0, 0, 0}, "VEC2", 2)}}};
+  file.root["meshes"][0]["weights"] = {0.5, 0.25};
+  const scene::Scene scene = sceneOf(file);
+  const scene::Mesh& mesh = scene.meshes.at(0);
+  // The third colour is 1.5 - 1: it is clamped after the target has moved it.
+  CHECK(mesh.colours == std::vector<glm::vec4>{{0.5f, 0.5f, 0, 0.75f}, {0, 1, 0, 1}, {0, 0, 0.5f, 1}});
+  CHECK(mesh.texCoords[0] == std::vector<glm::vec2>{{0.5f, 1}, {1, 0}, {0, 3}});
+  CHECK(mesh.texCoords[1] == std::vector<glm::vec2>{{0, 0.25f}, {0, 0}, {0, 0}});
+  file.primitive()["targets"][0]["COLOR_0"] = file.vectors({1, 1, 1}, "VEC3", 3);
+  CHECK_THAT(errorsOf(file.text()), Catch::Contains("1 values for 3 vertices"));
+}
+
 TEST_CASE("morph targets add to normals and to the directions of tangents, whose lengths are 1 afterwards") {
   GltfFile file = triangleFile();
   json& attributes = file.primitive()["attributes"];

@@ -26,6 +26,15 @@ TEST_CASE("base64 is decoded with and without padding") {
   CHECK_THROWS_WITH(decoded("data:text/plain;base64"), Catch::Contains("no comma"));
 }
 
+TEST_CASE("base64 may be escaped") {
+  CHECK(decoded("data:x;base64,%2f%2B8A") == std::string("\xff\xef\0", 3));
+  CHECK(decoded("data:;base64,Zm9vYmE%3D") == "fooba");
+  CHECK(decoded("data:;base64,%5a%6D%39%76") == "foo");
+  CHECK_THROWS_WITH(decoded("data:;base64,Zm9v%2"), Catch::Contains("without two hexadecimal digits"));
+  CHECK_THROWS_WITH(decoded("data:;base64,Zm9v%zz"), Catch::Contains("without two hexadecimal digits"));
+  CHECK_THROWS_WITH(decoded("data:;base64,Zm9%00"), Catch::Contains("not base64"));
+}
+
 TEST_CASE("a data URI that is not in base64 has its bytes as characters or escaped") {
   CHECK(decoded("data:application/octet-stream,%00a%fF;base64,") == std::string("\0a\xff;base64,", 11));
   CHECK(decoded("data:,").empty());

@@ -1,10 +1,15 @@
 // Image files as other programs write them.
+#include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfTiledRgbaFile.h>
 #include <jpeglib.h>
 #include <png.h>
 
+#include <bit>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -25,6 +30,7 @@ struct PngSpec {
   int colourType;
   std::vector<png_color> palette = {};
   double gamma = 0;  // 0: not stated
+  bool isRec2020 = false;
 };
 
 /// One row, with samples as the file stores them.
@@ -37,6 +43,7 @@ void writePngRow(const fs::path& file, std::uint32_t width, std::vector<std::uin
                PNG_FILTER_TYPE_DEFAULT);
   if (!spec.palette.empty()) png_set_PLTE(png, info, spec.palette.data(), static_cast<int>(spec.palette.size()));
   if (spec.gamma > 0) png_set_gAMA(png, info, spec.gamma);
+  if (spec.isRec2020) png_set_cHRM(png, info, 0.3127, 0.329, 0.708, 0.292, 0.17, 0.797, 0.131, 0.046);
   png_write_info(png, info);
   png_write_row(png, row.data());
   png_write_end(png, info);
@@ -53,7 +60,7 @@ std::vector<int> pngPixels(std::uint32_t width, const std::vector<std::uint8_t>&
   return {pixels.rgb.begin(), pixels.rgb.end()};
 }
 
-void writeGreyJpeg(const fs::path& file, std::uint8_t value) {
+void writeGreyJpeg(const fs::path& file, std::uint8_t value, const std::string& profile = "") {
   std::FILE* stream = std::fopen(file.c_str(), "wb");
   jpeg_compress_struct info{};
   jpeg_error_mgr errors{};
@@ -67,6 +74,10 @@ void writeGreyJpeg(const fs::path& file, std::uint8_t value) {
   jpeg_set_defaults(&info);
   jpeg_simple_progression(&info);
   jpeg_start_compress(&info, TRUE);
+  if (!profile.empty()) {
+    jpeg_write_icc_profile(&info, reinterpret_cast<const JOCTET*>(profile.data()),
+                           static_cast<unsigned>(profile.size()));
+  }
   std::vector<JSAMPLE> row(8, value);
   for (int y = 0; y < 8; ++y) {
     JSAMPROW pointer = row.data();
@@ -119,10 +130,31 @@ TEST_CASE("16-bit PNG files are rounded to 8 bits without a change of gamma") {
         std::vector<int>{128, 1, 255, 128, 129, 0});
 }
 
+TEST_CASE("images of 16-bit PNG files have 16 bits, and alpha unless all pixels are opaque") {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", 2, {0x80, 0x80, 0x80, 0x81, 0, 0, 0xff, 0xff, 0xff, 0xff, 0, 0, 0xff, 0xff, 0x40, 0x00},
+              {16, PNG_COLOR_TYPE_RGBA});
+  const Image image = readImage(folder / "a.png");
+  const auto linear = [](double signal) { return std::pow((signal / 65535 + 0.055) / 1.055, 2.4); };
+  CHECK(image.at(0, 0).x == Approx(linear(0x8080)).epsilon(1e-7));
+  CHECK(image.at(0, 0).y == Approx(linear(0x8081)).epsilon(1e-7));
+  CHECK(image.at(0, 0).x != image.at(0, 0).y);
+  CHECK(image.alpha == std::vector<float>{1, static_cast<float>(0x4000) / 65535});
+  CHECK(image.at(1, 0) == glm::vec3(image.alpha[1], 0, image.alpha[1]));
+  writePngRow(folder / "b.png", 1, {0x80, 0x80, 0x80, 0x81, 0, 0, 0xff, 0xff}, {16, PNG_COLOR_TYPE_RGBA});
+  CHECK(readImage(folder / "b.png").alpha.empty());
+}
+
+TEST_CASE("a PNG of 16 bits and gamma 1/1.8 is converted by its gamma") {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", 1, {0x40, 0x01, 0xff, 0xff, 0, 0}, {16, PNG_COLOR_TYPE_RGB, {}, 1 / 1.8});
+  CHECK(readImage(folder / "a.png").at(0, 0).x == Approx(std::pow(16385.0 / 65535, 1.8)).epsilon(1e-4));
+}
+
 TEST_CASE("transparent PNG pixels are composited over black in linear light") {
-  // Half opacity, 128/255, of white: libpng takes sRGB for gamma 2.2 here, 0.50196^(1/2.2) * 255 = 186.4.
+  // Half opacity, 128/255 = 0.50196, of white: (1.055 * 0.50196^(1/2.4) - 0.055) * 255 = 187.8.
   CHECK(pngPixels(3, {255, 255, 255, 255, 9, 9, 9, 0, 255, 255, 255, 128}, {8, PNG_COLOR_TYPE_RGBA}) ==
-        std::vector<int>{255, 255, 255, 0, 0, 0, 186, 186, 186});
+        std::vector<int>{255, 255, 255, 0, 0, 0, 188, 188, 188});
 }
 
 TEST_CASE("a PNG of gamma 1 is encoded as sRGB") {
@@ -131,6 +163,28 @@ TEST_CASE("a PNG of gamma 1 is encoded as sRGB") {
   CHECK(pixels[0] == 0);
   CHECK(pixels[1] == Approx(118).margin(1));
   CHECK(pixels[2] == 255);
+}
+
+TEST_CASE("the chromaticities of a PNG are applied") {
+  TemporaryFolder folder;
+  writePngRow(folder / "a.png", 1, {255, 0, 0}, {8, PNG_COLOR_TYPE_RGB, {}, 1, true});
+  const Image image = readImage(folder / "a.png");
+  CHECK(image.rgb[0].x == Approx(1.6605).epsilon(1e-3));  // Report ITU-R BT.2407, section 2.2
+  CHECK(image.rgb[0].y == Approx(-0.1246).epsilon(1e-2));
+}
+
+TEST_CASE("an ICC profile that does not name sRGB is named in a warning") {
+  TemporaryFolder folder;
+  using namespace std::string_literals;
+  const auto warnings = [&](const std::string& profile) {
+    writeGreyJpeg(folder / "a.jpg", 99, profile);
+    return readImage(folder / "a.jpg").warnings;
+  };
+  CHECK(warnings("").empty());
+  CHECK(warnings("a profile: sRGB IEC61966-2.1").empty());
+  CHECK(warnings("\0s\0R\0G\0B"s).empty());
+  REQUIRE(warnings("Adobe RGB (1998)").size() == 1);
+  CHECK_THAT(warnings("Adobe RGB (1998)")[0], Catch::Contains("ICC profile is not applied"));
 }
 
 TEST_CASE("a grey progressive JPEG becomes RGB") {
@@ -179,7 +233,36 @@ TEST_CASE("an EXR file of luminance alone is grey, one with chroma is refused") 
   CHECK(image.at(3, 1).x == Approx(1.3891).epsilon(2e-3));
   CHECK(image.at(3, 1).y == image.at(3, 1).x);
   CHECK(image.at(3, 1).z == image.at(3, 1).x);
-  CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("R, G and B"));
+  CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("luminance and chroma"));
+}
+
+TEST_CASE("channels of integers are ids, whose bits are preserved, and subsampled channels are named") {
+  TemporaryFolder folder;
+  const std::vector<float> grey(4, 0.5f);
+  const std::vector<std::uint32_t> ids{1, 0x7f800001u, 0xffffffffu, 16777217};
+  Imf::Header header(4, 1);
+  Imf::FrameBuffer pixels;
+  const Imath::Box2i window = header.dataWindow();
+  header.channels().insert("id", Imf::Channel(Imf::UINT));
+  pixels.insert("id", Imf::Slice::Make(Imf::UINT, ids.data(), window, 4, 16));
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+    pixels.insert(name, Imf::Slice::Make(Imf::FLOAT, grey.data(), window, 4, 16));
+  }
+  header.channels().insert("chroma", Imf::Channel(Imf::FLOAT, 2, 1));
+  pixels.insert("chroma", Imf::Slice::Make(Imf::FLOAT, grey.data(), window, 4, 16, 2, 1));
+  {
+    Imf::OutputFile file((folder / "a.exr").c_str(), header);
+    file.setFrameBuffer(pixels);
+    file.writePixels(1);
+  }
+  const Image image = readImage(folder / "a.exr", ImageParts::withLayers);
+  REQUIRE(image.channels.size() == 1);
+  CHECK(image.channels[0].isId);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    CHECK(std::bit_cast<std::uint32_t>(image.channels[0].values[i]) == ids[i]);
+  REQUIRE(image.warnings.size() == 1);
+  CHECK_THAT(image.warnings[0], Catch::Contains("\"chroma\" is not read"));
 }
 
 TEST_CASE("an EXR file with DWA compression is read, and refused if it claims more pixels than its blocks can hold") {

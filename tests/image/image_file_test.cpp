@@ -66,6 +66,40 @@ TEST_CASE("EXR files without variance and counts are read without them") {
   CHECK(back.metadata.empty());
 }
 
+TEST_CASE("EXR files preserve the channels of layers and the windows") {
+  TemporaryFolder folder;
+  Image image = testImage(3, 2);
+  image.channels = {{"N.X", {1, 2, 3, 4, 5, 6}}, {"Z", {1e10f, 1, 2, 3, 4, 5}}, {"sqrt.R", {1, 1, 1, 1, 1, 1}}};
+  image.origin = {-2, 5};
+  image.frame = PixelBox{0, 0, 40, 30};
+  writeImage(folder / "a.exr", image, {});
+  CHECK(readImage(folder / "a.exr").channels.empty());
+  const Image back = readImage(folder / "a.exr", ImageParts::withLayers);
+  REQUIRE(back.channels.size() == 2);  // the third is a statistic
+  CHECK(back.channels[0].name == "N.X");
+  CHECK(back.channels[0].values == image.channels[0].values);
+  CHECK(back.channels[1].values == image.channels[1].values);
+  CHECK(windowOf(back) == PixelBox{-2, 5, 3, 2});
+  CHECK(frameOf(back) == PixelBox{0, 0, 40, 30});
+  image.origin.x = std::int64_t{1} << 40;
+  CHECK_THROWS_WITH(writeImage(folder / "b.exr", image, {}), Catch::Contains("too far from the origin"));
+}
+
+TEST_CASE("the first and third channels of Cryptomatte files are ids") {
+  TemporaryFolder folder;
+  Image image = testImage(1, 1);
+  image.metadata = {{"cryptomatte/1234567/name", "Objects"}};
+  for (const char* name : {"Objects00.r", "Objects00.g", "Objects00.b", "Objects00.a", "Objects.r", "Objects01.Red"}) {
+    image.channels.push_back({name, {0.5f}});
+  }
+  writeImage(folder / "a.exr", image, {});
+  for (const Channel& channel : readImage(folder / "a.exr", ImageParts::withLayers).channels) {
+    CAPTURE(channel.name);
+    CHECK(channel.isId ==
+          (channel.name == "Objects00.r" || channel.name == "Objects00.b" || channel.name == "Objects01.Red"));
+  }
+}
+
 TEST_CASE("EXR metadata cannot overwrite attributes of the format") {
   TemporaryFolder folder;
   Image image = testImage(1, 1);
@@ -94,10 +128,10 @@ TEST_CASE("PFM files are read in both byte orders, in colour and grey, bottom ro
   CHECK(big.at(0, 0) == glm::vec3(2));
   CHECK(big.at(0, 1) == glm::vec3(1));
   writeText(folder / "little.pfm", "PF 1 1 -5\n\0\0\x80\x3f\0\0\0\x40\0\0\0\0"s);
-  CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(1, 2, 0));
+  CHECK(readImage(folder / "little.pfm").at(0, 0) == glm::vec3(5, 10, 0));  // multiplied by the scale
 }
 
-TEST_CASE("HDR files preserve colours to one part in 128 of the largest channel") {
+TEST_CASE("HDR files preserve colours to half a step of the largest channel") {
   TemporaryFolder folder;
   for (const std::uint32_t width : {1u, 7u, 8u, 200u}) {  // below 8 pixels rows are not compressed
     const Image image = testImage(width, 3);
@@ -108,11 +142,45 @@ TEST_CASE("HDR files preserve colours to one part in 128 of the largest channel"
       const glm::vec3 difference = image.rgb[i] - back.rgb[i];
       const float largest = std::max({image.rgb[i].x, image.rgb[i].y, image.rgb[i].z});
       for (int c = 0; c < 3; ++c) {
-        CHECK(difference[c] >= 0);  // RGBE truncates
-        CHECK(difference[c] <= largest / 128);
+        // The step is at most 1/128 of the largest channel, whose mantissa is 128 to 255.
+        CHECK(std::abs(difference[c]) <= largest / 256 * 1.000001f);
       }
     }
   }
+}
+
+TEST_CASE("a ramp of 10^5 values has no bias in an HDR file") {
+  TemporaryFolder folder;
+  Image image;
+  image.width = 1000;
+  image.height = 100;
+  double sum = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const float value = 0.05f + 0.00009f * static_cast<float>(i);
+    image.rgb.emplace_back(value, 0.3f * value, 0);
+    sum += value;
+  }
+  writeImage(folder / "a.hdr", image, {});
+  const Image back = readImage(folder / "a.hdr");
+  double red = 0, green = 0;
+  for (std::size_t i = 0; i < image.rgb.size(); ++i) {
+    int exponent = 0;
+    std::frexp(std::max(image.rgb[i].x, back.rgb[i].x), &exponent);  // a value may be rounded up to the next exponent
+    const float step = std::ldexp(1.0f, exponent - 8);
+    CHECK(std::abs(back.rgb[i].x - image.rgb[i].x) <= step / 2);
+    CHECK(std::abs(back.rgb[i].y - image.rgb[i].y) <= step / 2);
+    red += back.rgb[i].x;
+    green += back.rgb[i].y;
+  }
+  CHECK(std::abs(red / sum - 1) < 2e-4);
+  CHECK(std::abs(green / (0.3 * sum) - 1) < 2e-4);
+}
+
+TEST_CASE("HDR mantissas that are rounded up to 256 take the next exponent") {
+  TemporaryFolder folder;
+  Image image{1, 1, {glm::vec3(0.999f, 0.501f, 0.1234f)}, {}, {}, {}, {}};
+  writeImage(folder / "a.hdr", image, {});
+  CHECK(readImage(folder / "a.hdr").rgb[0] == glm::vec3(1, 64 / 128.0f, 16 / 128.0f));
 }
 
 TEST_CASE("HDR files store extreme values without wrapping") {
@@ -143,6 +211,42 @@ TEST_CASE("HDR files of the old kind are read, and divided by their exposures") 
 
   writeText(folder / "exposed.hdr", "#?RADIANCE\nEXPOSURE=4\n\n-Y 1 +X 1\n" + pixel);
   CHECK(readImage(folder / "exposed.hdr").rgb[0] == glm::vec3(0.25f, 0.125f, 0.0625f));
+}
+
+TEST_CASE("HDR files are read in all eight directions") {
+  TemporaryFolder folder;
+  // The picture has the columns 1 2 3 above 4 5 6, as mantissas of red at an exponent of 2^0.
+  const std::vector<std::pair<std::string, std::string>> directions{
+      {"-Y 2 +X 3", "123456"}, {"-Y 2 -X 3", "321654"}, {"+Y 2 +X 3", "456123"}, {"+Y 2 -X 3", "654321"},
+      {"+X 3 -Y 2", "142536"}, {"+X 3 +Y 2", "415263"}, {"-X 3 -Y 2", "362514"}, {"-X 3 +Y 2", "635241"}};
+  for (const auto& [size, digits] : directions) {
+    CAPTURE(size);
+    std::string pixels;
+    for (const char digit : digits) pixels += {static_cast<char>(digit - '0'), 0, 0, static_cast<char>(136)};
+    writeText(folder / "a.hdr", "#?RADIANCE\n\n" + size + "\n" + pixels);
+    const Image image = readImage(folder / "a.hdr");
+    REQUIRE(image.width == 3);
+    REQUIRE(image.height == 2);
+    for (std::uint32_t i = 0; i < 6; ++i) CHECK(image.rgb[i] == glm::vec3(static_cast<float>(i + 1), 0, 0));
+  }
+}
+
+TEST_CASE("HDR files are divided by COLORCORR, and what is not applied is named") {
+  TemporaryFolder folder;
+  const auto read = [&](const std::string& header) {
+    writeText(folder / "a.hdr", "#?RADIANCE\n" + header + "\n\n-Y 1 +X 1\n\x80\x40\x20\x81");
+    return readImage(folder / "a.hdr");
+  };
+  CHECK(read("COLORCORR= 2 4 0.5\nEXPOSURE=2\nGAMMA=1").rgb[0] == glm::vec3(0.25f, 0.0625f, 0.25f));
+  CHECK(read("GAMMA=1").warnings.empty());
+  for (const char* header : {"EXPOSURE=0", "EXPOSURE=-1", "EXPOSURE=nan", "COLORCORR=1 1", "COLORCORR=1 0 1",
+                             "GAMMA=2.2", "PRIMARIES=0.6 0.3"}) {
+    CAPTURE(header);
+    const Image image = read(header);
+    CHECK(image.rgb[0] == glm::vec3(1, 0.5f, 0.25f));
+    REQUIRE(image.warnings.size() == 1);
+    CHECK_THAT(image.warnings[0], Catch::StartsWith(std::string(header)) && Catch::Contains("is ignored"));
+  }
 }
 
 TEST_CASE("PNG pixels are the display transform of the values in EXR") {
@@ -269,6 +373,5 @@ TEST_CASE("errors of image files name the file") {
   CHECK_THROWS_AS(readImage(folder.path()), FileError);
   writeText(folder / "text.png", "hello");
   CHECK_THROWS_WITH(readPixels8(folder / "text.png"), Catch::Contains("text.png"));
-  writeImage(folder / "a.pfm", testImage(1, 1), {});
-  CHECK_THROWS_WITH(readPixels8(folder / "a.pfm"), Catch::Contains("not a PNG or JPEG"));
+  CHECK_THROWS_WITH(readImage(folder / "text.png"), Catch::Contains("not a PNG, JPEG, WebP, HDR, PFM or EXR file"));
 }

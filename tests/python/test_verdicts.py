@@ -69,8 +69,10 @@ class Verdicts(FolderTest):
         for wrong in (film.variance, 3, "missing.exr", None):
             with self.assertRaises(candela.Error):
                 candela.compare(film, wrong)
-        with self.assertRaises(candela.UsageError):
-            candela.compare(film, film.image[:5])
+        cut = candela.compare(film, film.image[:5])
+        self.assertIs(cut.agrees, False)
+        self.assertIn("different places", cut.verdict)
+        self.assertTrue(candela.compare(film, film.image, tolerance=0, channels=["R", "G", "B"]))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // Sky boxes: six images from permitted folders, or the background.
 #include <catch2/catch.hpp>
 
+#include "host/image/image.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/scene/scene_text.h"
 
@@ -84,6 +85,22 @@ TEST_CASE("a missing or broken face is an error that names it, and lenient readi
   std::ofstream(folder.path() / "sky" / "right.png") << "not an image";
   CHECK(contains(errorIn(folder.path(), "env sky\n"), "right.png"));
   CHECK_FALSE(loadIn(folder.path(), "env sky\n", {.lenient = true}).scene.sky);
+}
+
+TEST_CASE("faces of a sky may be of any format that is read, and values above 1 are clipped with a warning") {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "sky");
+  image::Image face{1, 1, {glm::vec3(0.5f)}, {}, {}, {}, {}};
+  for (const char* name : {"right.exr", "left.hdr", "top.pfm", "bottom.png", "front.exr"}) {
+    writeImage(folder.path() / "sky" / name, face, {});
+  }
+  face.rgb[0] = glm::vec3(4, 0.5f, 0);
+  writeImage(folder.path() / "sky" / "back.exr", face, {});
+  const LoadedScene loaded = loadIn(folder.path(), "env sky\n");
+  REQUIRE(loaded.scene.sky);
+  for (int i = 0; i < 5; ++i) CHECK(loaded.scene.sky->faces[i].rgb == std::vector<std::uint8_t>{188, 188, 188});
+  CHECK(loaded.scene.sky->faces[5].rgb == std::vector<std::uint8_t>{255, 188, 0});
+  CHECK_THAT(warningWith(loaded, "values above 1").message, Catch::Contains("back.exr"));
 }
 
 TEST_CASE("a control character in a sky's name is refused") {

@@ -422,6 +422,7 @@ def compare(
     alpha: float | str | None = None,
     bias: float | str | None = None,
     tolerance: float | None = None,
+    channels: Sequence[str] | str | None = None,
     tonemap: str | None = None,
     exposure: float | Literal["auto"] | None = None,
 ) -> Comparison: ...
