@@ -50,7 +50,7 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   vec3 metalNormal = s.baseColour;
   vec3 metalRise = 1.0 - s.baseColour;
   FilmOnGlass film = FilmOnGlass(0.0, vec3(0.0), vec3(0.0));
-  if (kHasFilm && s.filmWeight > 0.0) {
+  if (kHasFilm && s.filmWeight > 0.0 && s.filmThickness > 0.0) {
     float cosine = filmCosine(s, wo.z, outside);
     film.weight = s.filmWeight;
     film.absorbed = (1.0 - s.filmWeight) * weight * (largest(normal) - normal);

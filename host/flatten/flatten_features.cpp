@@ -38,7 +38,7 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.transmission |= surface.transmissionWeight > 0;
   features.volumes |= surface.hasVolume();
   features.coats |= surface.coatWeight > 0;
-  features.films |= surface.filmWeight > 0;
+  features.films |= surface.filmWeight > 0 && std::max(surface.filmThickness, surface.filmThicknessMinimum) > 0;
   features.dispersion |= surface.disperses();
   features.conductors |= surface.conductor && surface.metalness > 0;
   features.anisotropy |= surface.anisotropy > 0;

@@ -40,7 +40,7 @@ BaseReflectances::BaseReflectances(const scene::SurfaceParameters& surface, cons
       dielectricWeight(surface.specularWeight),
       dielectricCompensation(dielectric.normal),
       metal{surface.baseColour, dvec3(1)} {
-  if (surface.filmWeight > 0) {
+  if (surface.filmWeight > 0 && surface.filmThickness > 0) {
     const Film thin{{surface.filmIor, surface.filmThickness}, surface.filmWeight, outerCosine(surface, wo.z, outside)};
     const dvec3 undimmed = (1 - thin.weight) * (1 - dielectricWeight) * dielectric.normal;
     const dvec3 dimmed = dielectricWeight * dielectric.normal;

@@ -146,6 +146,26 @@ TEST_CASE("thin films have the reflectance that the formulas of KHR_materials_ir
   }
 }
 
+TEST_CASE("a thin film of thickness 0 is no film") {
+  const FilmValue thin{1, 1.3f, 0, 0.04f, {}};
+  for (const float transmission : {0.0f, 1.0f}) {
+    const FilmValue visible{1, 1.3f, 400, 0.04f, {}};
+    const MaterialLeaves leaves({dimmedBelowFilm(thin, 1, transmission), dimmedBelowFilm(thin, 0, transmission),
+                                 dimmedBelowFilm(visible, 1, transmission)});
+    for (const double cosine : {1.0, 0.7, 0.3}) {
+      const dvec3 wo = directionAt(cosine, 0.1), wi(-wo.x, -wo.y, wo.z);
+      const auto values = leaves.evaluate(std::vector<DirectionPair>{{0, wo, wi}, {1, wo, wi}, {2, wo, wi}});
+      CAPTURE(transmission, cosine);
+      for (int channel = 0; channel < 3; ++channel) {
+        CHECK(values[0].f[channel] == values[1].f[channel]);
+        CHECK(values[0].f[channel] != values[2].f[channel]);
+      }
+      CHECK(values[0].f.x == values[0].f.y);
+      CHECK(values[0].f.x == values[0].f.z);
+    }
+  }
+}
+
 TEST_CASE("the specular weight dims the dielectric below a thin film, but not the film") {
   for (const FilmValue& value : kFilmOnDielectric) {
     for (const float covered : {1.0f, 0.25f}) {
