@@ -14,11 +14,6 @@
 namespace candela::scene {
 namespace {
 
-std::size_t objectOf(const Scene& scene, std::uint32_t primitive) {
-  const auto after = std::ranges::upper_bound(scene.objectStarts, primitive);
-  return after == scene.objectStarts.begin() ? 0 : static_cast<std::size_t>(after - scene.objectStarts.begin()) - 1;
-}
-
 std::string counted(std::uint64_t count) { return fmt::format("{} primitive{}", count, count == 1 ? "" : "s"); }
 
 }  // namespace
