@@ -80,7 +80,7 @@ TEST_CASE("flat surfaces of every kind that overlap in one plane are found, at a
 TEST_CASE("parallel planes with a gap above the tolerance do not coincide") {
   for (const float coordinate : {1.0f, 10.0f, 1000.0f}) {
     SceneBuilder b = grey();
-    const float above = coordinate * (1 + 0x1p-19f);
+    const float above = coordinate + std::max(5.0f, coordinate) * 0x1p-19f;
     b.quad({-5, -5, coordinate}, {5, -5, coordinate}, {5, 5, coordinate}, {-5, 5, coordinate});
     b.quad({-4, -4, above}, {4, -4, above}, {4, 4, above}, {-4, 4, above});
     CAPTURE(coordinate);
