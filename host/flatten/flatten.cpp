@@ -85,7 +85,8 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const scene::Coincidences coincidences = scene::findCoincidences(scene);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
-  const bool small = isSmall(scene, limits.smallScene);
+  // The tests of small scenes are unrolled, and compilers would take minutes for those of coincident surfaces.
+  const bool small = isSmall(scene, limits.smallScene) && !coincidences.any();
   std::vector<std::uint32_t> order = bounds.finite;
   if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
