@@ -136,8 +136,9 @@ LightChoice LightTable::choose(std::uint32_t word) const {
 
 std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const {
   const std::uint32_t copy = entries_[entry].firstCopy;
-  const bool isCopy = copy != kNoEntry && copy == firstCopies_[surface.primitive];
-  if (isCopy && entryOfPrimitive_[surface.primitive] != entry) return std::nullopt;
+  const bool isOnPrimitive = copy != kNoEntry && surface.primitive != kNoPrimitive;
+  const bool isOnCopy = isOnPrimitive && copy == firstCopies_[surface.primitive];
+  if (isOnCopy && entryOfPrimitive_[surface.primitive] != entry) return std::nullopt;
   return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
 }
 

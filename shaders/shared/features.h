@@ -8,7 +8,7 @@
 #include "../../host/scene/primitive_kind_list.h"
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h.
+// use are compiled out. Other ids are in specialization.h; id 96 is free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \

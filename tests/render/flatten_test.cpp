@@ -7,6 +7,7 @@
 #include "host/accel/primitive_bounds.h"
 #include "host/flatten/flat_scene.h"
 #include "host/formats/load_scene.h"
+#include "host/scene/coincidence.h"
 #include "shaders/shared/scene_rows.h"
 
 using namespace candela;
@@ -112,7 +113,7 @@ TEST_CASE("a grid's records contain three cells or four items each") {
   settings.structure.gridDensity = 3;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
   REQUIRE(flat.structure == gpu::kStructureGrid);
-  const accel::SceneBounds bounds = accel::boundPrimitives(scene);
+  const accel::SceneBounds bounds = accel::boundPrimitives(scene, scene::findCoincidences(scene).coincident);
   const accel::Grid grid = buildGrid(bounds.bounds, {.density = 3});
   REQUIRE(flat.constants.gridSides == grid.shape.sides);
   CHECK(flat.constants.gridStrides == grid.shape.strides);
