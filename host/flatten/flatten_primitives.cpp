@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
-#include <utility>
 
+#include "host/scene/coincidence.h"
 #include "host/scene/shape.h"
 
 namespace candela::flatten {
@@ -19,8 +18,6 @@ glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double 
   const glm::dvec3 direction = distance > 0 ? towardsCamera / distance : glm::dvec3(1, 0, 0);
   return glm::dvec3(glm::vec3(centre + radius * direction));
 }
-
-bool isLess(const glm::vec3& a, const glm::vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
 std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& context, std::uint32_t kindAndFlags) {
   const scene::Primitive& primitive = scene.primitives[context.primitive];
@@ -57,11 +54,9 @@ void appendShape(const scene::Box& box, const scene::Scene& scene, const Primiti
 }
 
 // Equal cones with their ends in either order have equal distances if their records are equal.
-void appendShape(scene::Cone cone, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows, Rows&) {
-  if (context.coincidence != 0 && isLess(cone.apex, cone.base)) {
-    std::swap(cone.base, cone.apex);
-    std::swap(cone.baseRadius, cone.apexRadius);
-  }
+void appendShape(const scene::Cone& stated, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
+                 Rows&) {
+  const scene::Cone cone = context.coincidence != 0 ? withSortedEnds(stated) : stated;
   rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
   rows.push_back(row(glm::dvec3(cone.apex), context.primitive));
   rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, context, gpu::kKindCone)});

@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "host/reference/rounding.h"
+#include "host/scene/coincidence.h"
 #include "host/scene/shape.h"
 
 namespace candela::reference {
@@ -24,7 +25,7 @@ struct Prepare {
   Shape operator()(const scene::Sphere& sphere) const { return SphereShape(sphere); }
   Shape operator()(const scene::Triangle& triangle) const { return TriangleShape(triangle); }
   Shape operator()(const scene::Box& box) const { return BoxShape(box); }
-  Shape operator()(const scene::Cone& cone) const { return ConeShape(cone); }
+  Shape operator()(const scene::Cone& cone) const { return ConeShape(scene::withSortedEnds(cone)); }
   Shape operator()(const scene::Plane& plane) const { return PlaneShape(plane); }
 };
 
@@ -37,11 +38,12 @@ bool startsInPlane(const Ray& ray, const dvec3& point, const dvec3& normal) {
   return std::abs(dot(point - ray.origin, normal)) <= kRounding * coordinates * maxNorm(normal);
 }
 
+bool isLess(const dvec3& a, const dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
 // Returns the normal of the triangle with its vertices in lexicographical order, so that no order of them rounds it
 // differently.
 dvec3 normalOfSorted(std::array<dvec3, 3> corners) {
-  std::ranges::sort(corners,
-                    [](const dvec3& a, const dvec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); });
+  std::ranges::sort(corners, isLess);
   return cross(corners[1] - corners[0], corners[2] - corners[0]);
 }
 
@@ -70,8 +72,7 @@ double TriangleShape::lineDistance(const Ray& ray) const {
   const double towards = dot(ray.direction, sortedNormal_);
   if (towards == 0) return kNoHit;
   // The vertex that comes first in lexicographical order stands for the plane.
-  const auto less = [](const dvec3& p, const dvec3& q) { return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z); };
-  return dot(std::min({a, b, c}, less), sortedNormal_) / towards;
+  return dot(std::min({a, b, c}, isLess), sortedNormal_) / towards;
 }
 
 dvec2 TriangleShape::barycentrics(const Ray& ray) const {

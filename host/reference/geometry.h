@@ -71,7 +71,7 @@ struct BoxShape {
 };
 
 struct ConeShape {
-  dvec3 base;  ///< of the two ends the first one in lexicographical order
+  dvec3 base;
   dvec3 axis;  ///< unit, from base to apex
   double height;
   double baseRadius;
@@ -81,10 +81,6 @@ struct ConeShape {
   double distance(const Ray& ray, bool startsHere) const;
   /// Unit normal that points away from the axis.
   dvec3 normal(const dvec3& point) const;
-
- private:
-  struct Sorted {};
-  ConeShape(const scene::Cone& cone, Sorted);
 };
 
 struct PlaneShape {
@@ -99,6 +95,7 @@ struct PlaneShape {
 
 using Shape = std::variant<SphereShape, TriangleShape, BoxShape, ConeShape, PlaneShape>;
 
+/// Equal primitives have equal shapes; the ends of a cone may be exchanged.
 Shape preparedShape(const scene::Scene& scene, const scene::Primitive& primitive);
 
 }  // namespace candela::reference

@@ -61,7 +61,7 @@ void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primiti
 
 void LightTable::noteCopies(const scene::Scene& scene) {
   if (std::ranges::all_of(entryOfPrimitive_, [](std::uint32_t entry) { return entry == kNoEntry; })) return;
-  firstCopies_ = scene::findCoincidences(scene).firstCopy;
+  firstCopies_ = scene::firstCopies(scene);
   for (std::uint32_t i = 0; i < entryOfPrimitive_.size(); ++i) {
     if (entryOfPrimitive_[i] != kNoEntry) entries_[entryOfPrimitive_[i]].firstCopy = firstCopies_[i];
   }

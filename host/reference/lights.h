@@ -66,7 +66,7 @@ class LightTable {
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> thresholds_;
   std::vector<std::uint32_t> entryOfPrimitive_;
-  std::vector<std::uint32_t> firstCopies_;  ///< scene::Coincidences::firstCopy; empty if no primitive emits
+  std::vector<std::uint32_t> firstCopies_;  ///< result of scene::firstCopies(); empty if no primitive emits
   std::uint32_t entryOfEnvironment_ = kNoEntry;
 };
 

@@ -1,7 +1,6 @@
 // Intersections of rays with spheres and cones, as the roots of quadratics.
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "host/reference/geometry.h"
@@ -37,22 +36,7 @@ dvec3 SphereShape::normal(const dvec3& point) const { return normalize(point - c
 
 // ---------------------------------------------------------------------------------------------------------------------
 
-namespace {
-
-// Returns the cone with its ends in lexicographical order, so that no order of them rounds a distance differently.
-scene::Cone withSortedEnds(scene::Cone cone) {
-  if (std::tie(cone.apex.x, cone.apex.y, cone.apex.z) < std::tie(cone.base.x, cone.base.y, cone.base.z)) {
-    std::swap(cone.base, cone.apex);
-    std::swap(cone.baseRadius, cone.apexRadius);
-  }
-  return cone;
-}
-
-}  // namespace
-
-ConeShape::ConeShape(const scene::Cone& cone) : ConeShape(withSortedEnds(cone), Sorted()) {}
-
-ConeShape::ConeShape(const scene::Cone& cone, Sorted)
+ConeShape::ConeShape(const scene::Cone& cone)
     : base(cone.base),
       axis(normalize(dvec3(cone.apex) - base)),
       height(length(dvec3(cone.apex) - base)),

@@ -174,7 +174,7 @@ void Tracing::setEye(const dvec3& eye) {
 }
 
 void Tracing::prepareReplicas() {
-  const std::vector<std::uint32_t> firstCopy = scene::findCoincidences(*scene_).firstCopy;
+  const std::vector<std::uint32_t> firstCopy = scene::firstCopies(*scene_);
   for (Item& item : items_) item.firstCopy = firstCopy[item.primitive];
   for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye_));
 }

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "host/core/hash.h"
 #include "host/scene/shape.h"
@@ -47,9 +48,8 @@ struct KeyOfShape {
   }
   ShapeKey operator()(const Box& box) const { return keyOf(PrimitiveKind::box, box.min, box.max); }
   ShapeKey operator()(const Cone& cone) const {
-    const bool swapped = isLess(cone.apex, cone.base);
-    const vec3 radii(swapped ? cone.apexRadius : cone.baseRadius, swapped ? cone.baseRadius : cone.apexRadius, 0);
-    return keyOf(PrimitiveKind::cone, swapped ? cone.apex : cone.base, swapped ? cone.base : cone.apex, radii);
+    const Cone sorted = withSortedEnds(cone);
+    return keyOf(PrimitiveKind::cone, sorted.base, sorted.apex, vec3(sorted.baseRadius, sorted.apexRadius, 0));
   }
   ShapeKey operator()(const Plane& plane) const {
     return keyOf(PrimitiveKind::plane, plane.p[0], plane.p[1], plane.p[2]);
@@ -64,21 +64,6 @@ std::uint64_t hashOf(const ShapeKey& key) {
   std::uint64_t hash = 0;
   for (const float value : key) hash = splitMix(hash ^ std::bit_cast<std::uint32_t>(value));
   return hash;
-}
-
-std::vector<std::uint32_t> firstCopies(const Scene& scene) {
-  std::vector<std::uint32_t> first(scene.primitives.size());
-  std::iota(first.begin(), first.end(), 0u);
-  std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;
-  hashes.reserve(first.size());
-  for (const std::uint32_t i : first) hashes.emplace_back(hashOf(keyOf(scene, i)), i);
-  std::ranges::sort(hashes);
-  for (std::size_t i = 1; i < hashes.size(); ++i) {
-    const auto& [hash, primitive] = hashes[i - 1];
-    const auto& [nextHash, next] = hashes[i];
-    if (hash == nextHash && keyOf(scene, primitive) == keyOf(scene, next)) first[next] = first[primitive];
-  }
-  return first;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -210,6 +195,7 @@ class Partition {
   Partition(const std::vector<Flat>& flats, Coincidences& result) : flats_(flats), result_(result) {}
 
   void search(std::vector<std::uint32_t> items, int depth = 0) {
+    if (result_.truncated) return;
     vec3 low(INFINITY), high(-INFINITY);
     for (const std::uint32_t item : items) {
       const vec3 centre = 0.5f * (flats_[item].low + flats_[item].high);
@@ -289,6 +275,29 @@ void markCoincident(const std::vector<Flat>& finite, Coincidences& result) {
 }
 
 }  // namespace
+
+Cone withSortedEnds(Cone cone) {
+  if (isLess(cone.apex, cone.base)) {
+    std::swap(cone.base, cone.apex);
+    std::swap(cone.baseRadius, cone.apexRadius);
+  }
+  return cone;
+}
+
+std::vector<std::uint32_t> firstCopies(const Scene& scene) {
+  std::vector<std::uint32_t> first(scene.primitives.size());
+  std::iota(first.begin(), first.end(), 0u);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> hashes;
+  hashes.reserve(first.size());
+  for (const std::uint32_t i : first) hashes.emplace_back(hashOf(keyOf(scene, i)), i);
+  std::ranges::sort(hashes);
+  for (std::size_t i = 1; i < hashes.size(); ++i) {
+    const auto& [hash, primitive] = hashes[i - 1];
+    const auto& [nextHash, next] = hashes[i];
+    if (hash == nextHash && keyOf(scene, primitive) == keyOf(scene, next)) first[next] = first[primitive];
+  }
+  return first;
+}
 
 bool Coincidences::any() const { return std::ranges::find(coincident, true) != coincident.end(); }
 

@@ -12,12 +12,17 @@ namespace candela::scene {
 /// largest coordinate of both.
 inline constexpr double kCoplanarTolerance = 0x1p-21;
 
+/// Returns the cone with its ends in lexicographical order, so that no order of them rounds a distance differently.
+Cone withSortedEnds(Cone cone);
+
+/// Returns for each primitive the lowest index of one that has the same shape: triangles with the same vertices in any
+/// order, equal boxes and planes, spheres with the same centre and the same radius apart from its sign, and cones with
+/// the same ends in either order. It is the primitive's own index if there is no lower one.
+std::vector<std::uint32_t> firstCopies(const Scene& scene);
+
 /// Surfaces that coincide. Indices are those of Scene::primitives.
 struct Coincidences {
-  /// For each primitive the lowest index of one that has the same shape: triangles with the same vertices in any order,
-  /// equal boxes and planes, spheres with the same centre and the same radius apart from its sign, and cones with the
-  /// same ends in either order. Its own index if there is no lower one.
-  std::vector<std::uint32_t> firstCopy;
+  std::vector<std::uint32_t> firstCopy;  ///< result of firstCopies()
   /// Pairs (a, b), a < b, of flat primitives other than copies that lie in one plane and overlap in more than an edge:
   /// triangles, faces of boxes, and planes. Copies of a and b are not listed again.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
