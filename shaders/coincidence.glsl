@@ -150,32 +150,19 @@ float hitFlatInPlane(Ray ray, float t, FlatSurface surface, FlatSurface plane, R
   return passes(start, dot(surface.normal, ray.direction) < 0.0) ? kNoHit : kAtOnce;
 }
 
-// Returns the distance to a primitive that may coincide with the ray's origin primitive, which is another one.
-float hitCoincident(Ray ray, uvec4 rows[3], uvec4 origin[3]) {
-  RayStart start = startOf(ray, origin, rows);
-  if ((kHasSpheres || kHasCones || kHasBoxes) && areSameBody(rows, origin)) return hitSameBody(ray, rows, start);
-  vec4 row0 = uintBitsToFloat(rows[0]);
+// Returns the distance to a flat primitive or a box of a ray that starts on another one.
+float hitInPlane(Ray ray, uvec4 rows[3], uvec4 origin[3], RayStart start) {
+  vec3 row0 = uintBitsToFloat(rows[0].xyz);
   vec3 row1 = uintBitsToFloat(rows[1].xyz);
-  vec3 row2 = uintBitsToFloat(rows[2].xyz);
   uint kind = rows[2].w;
-  if (kHasSpheres && isKind(kind, kKindSphere)) {
-    return hitSphere(ray, row0.xyz, row0.w, row1, kHasInsideOnly && (kind & kFlagInsideOnly) != 0u, false);
-  }
-  if (kHasCones && isKind(kind, kKindCone)) return hitCone(ray, row0.xyz, row0.w, row1, row2.x, false);
-  bool flatOrigin = !isCurved(origin[2].w);
   FlatSurface plane = flatSurfaceOf(origin, ray.origin);
   if (kHasTriangles && isKind(kind, kKindTriangle)) {
-    float t = triangleDistance(ray, row0.xyz, row1, row2);
-    if (!flatOrigin) return positiveOrNone(t);
-    return hitFlatInPlane(ray, t, flatTriangle(row0.xyz, row1, row2), plane, start);
+    vec3 row2 = uintBitsToFloat(rows[2].xyz);
+    return hitFlatInPlane(ray, triangleDistance(ray, row0, row1, row2), flatTriangle(row0, row1, row2), plane, start);
   }
-  if (kHasBoxes && isKind(kind, kKindBox)) {
-    if (!flatOrigin) return hitBox(ray, row0.xyz, row1, false, false);
-    return hitBoxInPlane(ray, row0.xyz, row1, plane, start);
-  }
+  if (kHasBoxes && isKind(kind, kKindBox)) return hitBoxInPlane(ray, row0, row1, plane, start);
   if (!kHasPlanes) return kNoHit;
-  float t = planeDistance(ray, row0.xyz, row1);
-  return flatOrigin ? hitFlatInPlane(ray, t, flatPlane(row0.xyz, row1), plane, start) : positiveOrNone(t);
+  return hitFlatInPlane(ray, planeDistance(ray, row0, row1), flatPlane(row0, row1), plane, start);
 }
 
 // Returns whether two emitters, which are spheres or triangles, coincide.

@@ -47,7 +47,10 @@ float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
   bool startsHere = startsOn(ray, slot);
   if (kHasCoincident && !startsHere && (ray.originSlot & kOriginCoincident) != 0u &&
       (rows[2].w & kFlagCoincident) != 0u) {
-    return hitCoincident(ray, rows, rowsOfSlot(ray.originSlot & kOriginSlotMask));
+    uvec4 origin[3] = rowsOfSlot(ray.originSlot & kOriginSlotMask);
+    RayStart start = startOf(ray, origin, rows);
+    if ((kHasSpheres || kHasCones || kHasBoxes) && areSameBody(rows, origin)) return hitSameBody(ray, rows, start);
+    if (!isCurved(rows[2].w) && !isCurved(origin[2].w)) return hitInPlane(ray, rows, origin, start);
   }
   return hitDistance(ray, rows, kind, startsHere, (ray.originSlot & kOriginInward) != 0u);
 }
