@@ -104,7 +104,7 @@ void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
   while (!finished) {
     descendToLeaf(boxes, hit.t, work);
     if (!finished) {
-      closestInRange(hit, ray, current.reference, current.reference + current.count, work);
+      closestInRange(hit, ray, current.reference, current.reference + current.count, kFinitePrimitive, work);
       popSubtree();
     }
     if (finished) break;
@@ -119,7 +119,7 @@ bool anyInHierarchy(Ray ray, RayEnd end, inout Work work) {
   while (!finished && !blocked) {
     descendToLeaf(boxes, end.distance, work);
     if (!finished) {
-      blocked = anyInRange(ray, current.reference, current.reference + current.count, end, work);
+      blocked = anyInRange(ray, current.reference, current.reference + current.count, end, kFinitePrimitive, work);
       popSubtree();
     }
     if (finished || blocked) break;

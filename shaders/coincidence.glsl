@@ -1,19 +1,12 @@
-// Surfaces that coincide with the one on which a ray starts: docs/light-transport.md section 4. Only primitives that the
-// host has marked (kFlagCoincident) can; a scene without any compiles nothing of this file.
+// Surfaces that coincide with the one on which a ray starts: docs/light-transport.md section 4. Only primitives that
+// the host has marked (kFlagCoincident) can; a scene without any compiles nothing of this file.
 #ifndef CANDELA_COINCIDENCE_GLSL
 #define CANDELA_COINCIDENCE_GLSL
 #include "geometry.glsl"
 #include "scene_access.glsl"
 
-const float kAtOnce = 1e-37;  // distance of a hit on a surface that coincides with the origin's
+const float kAtOnce = 1e-37;              // distance of a hit on a surface that coincides with the origin's
 const float kCoplanar = 1.0 / 2097152.0;  // tolerance as a fraction of the largest coordinate
-
-// A flat surface. An infinite plane has four equal points.
-struct FlatSurface {
-  vec3 points[4];
-  vec3 normal;  // unit
-  bool infinite;
-};
 
 FlatSurface flatTriangle(vec3 p0, vec3 p1, vec3 p2) {
   return FlatSurface(vec3[4](p0, p1, p2, p2), triangleNormal(p1 - p0, p2 - p0), false);
@@ -56,21 +49,14 @@ bool areCoplanar(FlatSurface a, FlatSurface b) {
   return aInB && !a.infinite || bInA && !b.infinite;
 }
 
-bool isCurved(uint kind) { return isKind(kind, kKindSphere) || isKind(kind, kKindCone); }
-
-// Returns whether two primitives are the same sphere, cone or box. Only the sign of a sphere's radius may differ.
-bool areSameBody(uvec4 a[3], uvec4 b[3]) {
-  if (((a[2].w ^ b[2].w) & kKindMask) != 0u || isKind(a[2].w, kKindTriangle) || isKind(a[2].w, kKindPlane)) return false;
-  bool sameTop = a[0] == b[0] && a[1].xyz == b[1].xyz;
-  return sameTop && (!isKind(a[2].w, kKindCone) || a[2].x == b[2].x);
-}
+bool mayCoincide(uint kindBit) { return (kCoincident & kindBit) != 0u; }
 
 // Returns the flat surface of a triangle or plane, or the face of a box that is closest to a point on it.
 FlatSurface flatSurfaceOf(uvec4 rows[3], vec3 point) {
   vec3 row0 = uintBitsToFloat(rows[0].xyz);
   vec3 row1 = uintBitsToFloat(rows[1].xyz);
-  if (kHasPlanes && isKind(rows[2].w, kKindPlane)) return flatPlane(row0, row1);
-  if (kHasBoxes && isKind(rows[2].w, kKindBox)) {
+  if (mayCoincide(kCoincidentPlane) && isKind(rows[2].w, kKindPlane)) return flatPlane(row0, row1);
+  if (mayCoincide(kCoincidentBox) && isKind(rows[2].w, kKindBox)) {
     vec3 toLow = abs(point - row0);
     vec3 toHigh = abs(point - row1);
     vec3 nearer = min(toLow, toHigh);
@@ -80,89 +66,107 @@ FlatSurface flatSurfaceOf(uvec4 rows[3], vec3 point) {
   return flatTriangle(row0, row1, uintBitsToFloat(rows[2].xyz));
 }
 
-// A primitive on which a ray starts, and whether the ray passes another one that coincides with it.
-struct RayStart {
-  uvec4 rows[3];
-  bool inward;
-  bool passesSameSide;   // if it enters both or exits both
-  bool passesOtherSide;
-};
+// Returns the ray with what the rules need to know about its origin primitive.
+Ray withStart(Ray ray) {
+  if (!kHasCoincident || (ray.originSlot & kOriginCoincident) == 0u) return ray;
+  ray.start.rows = rowsOfSlot(ray.originSlot & kOriginSlotMask);
+  ray.start.surface = flatSurfaceOf(ray.start.rows, ray.origin);
+  ray.start.reach = largestCoordinate(ray.start.surface);
+  return ray;
+}
 
-RayStart startOf(Ray ray, uvec4 origin[3], uvec4 rows[3]) {
+// Returns whether the rules apply to the test of a primitive with these records.
+bool followsRules(Ray ray, uvec4 rows[3], bool startsHere) {
+  return !startsHere && (ray.originSlot & kOriginCoincident) != 0u && (rows[2].w & kFlagCoincident) != 0u;
+}
+
+bool isFlat(uint kind) { return !isKind(kind, kKindSphere) && !isKind(kind, kKindCone); }
+
+bool coincidesWithStart(Ray ray, FlatSurface surface) {
+  return isFlat(ray.start.rows[2].w) && areCoplanar(ray.start.surface, surface);
+}
+
+// Returns whether two primitives are the same sphere, cone or box. Only the sign of a sphere's radius may differ.
+bool areSameBody(uvec4 a[3], uvec4 b[3]) {
+  if (((a[2].w ^ b[2].w) & kKindMask) != 0u) return false;
+  bool sameTop = a[0] == b[0] && a[1].xyz == b[1].xyz;
+  return sameTop && (!isKind(a[2].w, kKindCone) || a[2].x == b[2].x);
+}
+
+// Returns whether the ray passes a primitive that coincides with its origin primitive. `sameSide`: it enters both of
+// them, or exits both.
+bool passes(Ray ray, uvec4 rows[3], bool sameSide) {
+  if (!mayCoincide(kCoincidentTransmits)) return true;
   bool transmits = (rows[2].w & kFlagTransmits) != 0u;
-  bool isContinued = transmits && rows[2].w >> kMaterialShift == origin[2].w >> kMaterialShift;
-  RayStart start = RayStart(origin, (ray.originSlot & kOriginInward) != 0u, true, true);
+  bool isContinued = transmits && rows[2].w >> kMaterialShift == ray.start.rows[2].w >> kMaterialShift;
   uint contact = ray.originSlot & (kOriginBeyond | kOriginBack);
   bool crosses = (ray.originSlot & kOriginCrosses) != 0u;
   if (crosses && contact != kOriginBack) {
-    bool isBehind = transmits && rows[1].w < origin[1].w;
-    start.passesSameSide = isBehind || isContinued;
-    start.passesOtherSide = isBehind || isContinued && (rows[2].w & kFlagThinWalled) != 0u;
+    bool isBehind = transmits && rows[1].w < ray.start.rows[1].w;
+    return isBehind || isContinued && (sameSide || (rows[2].w & kFlagThinWalled) != 0u);
   }
-  if (!crosses && contact != 0u) {
-    start.passesSameSide = isContinued || contact == kOriginBeyond && !transmits;
-    start.passesOtherSide = start.passesSameSide;
-  }
-  return start;
+  if (!crosses && contact != 0u) return isContinued || contact == kOriginBeyond && !transmits;
+  return true;
 }
 
-bool passes(RayStart start, bool inward) { return inward == start.inward ? start.passesSameSide : start.passesOtherSide; }
+bool isInward(Ray ray) { return (ray.originSlot & kOriginInward) != 0u; }
 
-// Returns the distance to a sphere, cone or box that is the same body as the origin primitive.
-float hitSameBody(Ray ray, uvec4 rows[3], RayStart start) {
-  vec4 row0 = uintBitsToFloat(rows[0]);
-  vec3 row1 = uintBitsToFloat(rows[1].xyz);
-  if (kHasSpheres && isKind(rows[2].w, kKindSphere)) {
-    bool insideOnly = kHasInsideOnly && (rows[2].w & kFlagInsideOnly) != 0u;
-    bool flipped = kHasInsideOnly && ((rows[2].w ^ start.rows[2].w) & kFlagInsideOnly) != 0u;
-    bool enters = start.inward != ((start.rows[2].w & kFlagInsideOnly) != 0u);
-    if (!(flipped ? start.passesOtherSide : start.passesSameSide) && !(insideOnly && enters)) return kAtOnce;
-    return hitSphere(ray, row0.xyz, row0.w, row1, insideOnly, true);
-  }
-  if (!start.passesSameSide) return kAtOnce;
-  if (kHasBoxes && isKind(rows[2].w, kKindBox)) return hitBox(ray, row0.xyz, row1, true, start.inward);
-  if (kHasCones) return hitCone(ray, row0.xyz, row0.w, row1, uintBitsToFloat(rows[2].x), true);
-  return kNoHit;
+// Returns whether the ray hits at once a sphere that is its origin primitive apart from the radius' sign.
+bool hitsSphereAtOnce(Ray ray, uvec4 rows[3]) {
+  bool insideOnly = kHasInsideOnly && (rows[2].w & kFlagInsideOnly) != 0u;
+  bool flipped = kHasInsideOnly && ((rows[2].w ^ ray.start.rows[2].w) & kFlagInsideOnly) != 0u;
+  bool enters = isInward(ray) != (kHasInsideOnly && (ray.start.rows[2].w & kFlagInsideOnly) != 0u);
+  return !passes(ray, rows, !flipped) && !(insideOnly && enters);
 }
 
-// Returns the distance to a box, of which a face may lie in the plane of the ray's origin.
-float hitBoxInPlane(Ray ray, vec3 low, vec3 high, FlatSurface plane, RayStart start) {
+// Returns the distance to a triangle or a plane to which the rules apply. `t` is the distance along the line of the
+// ray, or kNoHit.
+float hitFlatByRules(Ray ray, uvec4 rows[3], float t, FlatSurface surface) {
+  if (t >= kNoHit || !coincidesWithStart(ray, surface)) return positiveOrNone(t);
+  return passes(ray, rows, dot(surface.normal, ray.direction) < 0.0 == isInward(ray)) ? kNoHit : kAtOnce;
+}
+
+// Returns whether a face of a box coincides with the surface on which the ray starts: the one of unit normal `across`
+// through the corner `corner`.
+bool faceCoincides(Ray ray, vec3 low, vec3 high, vec3 across, vec3 corner) {
+  FlatSurface start = ray.start.surface;
+  vec3 centre = mix(0.5 * (low + high), corner, across);
+  vec3 extent = (vec3(1.0) - across) * 0.5 * (high - low);
+  float tolerance = kCoplanar * larger(largest(abs(centre) + extent), ray.start.reach);
+  precise float depth = abs(dot(centre - start.points[0], start.normal)) + dot(extent, abs(start.normal));
+  float deepest = 0.0;
+  [[unroll]] for (int i = 0; i < 4; ++i) deepest = larger(deepest, abs(dot(start.points[i] - corner, across)));
+  return isFlat(ray.start.rows[2].w) && (depth <= tolerance || deepest <= tolerance && !start.infinite);
+}
+
+// Returns the axis of the smallest component as a unit vector.
+vec3 smallestAxis(vec3 v) {
+  bool x = v.x <= v.y && v.x <= v.z;
+  bool y = !x && v.y <= v.z;
+  return vec3(x, y, !x && !y);
+}
+
+// Returns the distance to a box. If the rules apply (`ruled`), it may be the origin primitive's copy, or one of its
+// faces may lie in the plane of the ray's origin.
+float hitBoxByRules(Ray ray, uvec4 rows[3], bool startsHere, bool ruled) {
+  vec3 low = uintBitsToFloat(rows[0].xyz);
+  vec3 high = uintBitsToFloat(rows[1].xyz);
   vec3 near, far;
   boxSlabs(ray, low, high, near, far);
   float entry = largest(near);
   float exit = min(far.x, min(far.y, far.z));
   if (entry > exit) return kNoHit;
-  int exitAxis = far.x <= far.y && far.x <= far.z ? 0 : far.y <= far.z ? 1 : 2;
-  if (areCoplanar(plane, flatFace(low, high, exitAxis, ray.direction[exitAxis] > 0.0))) {
-    return passes(start, false) ? kNoHit : kAtOnce;
+  bool same = ruled && areSameBody(ray.start.rows, rows);
+  if (same && !passes(ray, rows, true)) return kAtOnce;
+  if (startsHere || same) return isInward(ray) ? positiveOrNone(exit) : kNoHit;
+  bvec3 ascends = greaterThan(ray.direction, vec3(0.0));
+  if (ruled && faceCoincides(ray, low, high, smallestAxis(far), mix(low, high, ascends))) {
+    return passes(ray, rows, !isInward(ray)) ? kNoHit : kAtOnce;
   }
-  int entryAxis = near.x >= near.y && near.x >= near.z ? 0 : near.y >= near.z ? 1 : 2;
-  if (areCoplanar(plane, flatFace(low, high, entryAxis, ray.direction[entryAxis] < 0.0))) {
-    return passes(start, true) ? positiveOrNone(exit) : kAtOnce;
+  if (ruled && faceCoincides(ray, low, high, smallestAxis(-near), mix(high, low, ascends))) {
+    return passes(ray, rows, isInward(ray)) ? positiveOrNone(exit) : kAtOnce;
   }
   return entry > 0.0 ? entry : positiveOrNone(exit);
-}
-
-// Returns the distance to a triangle or a plane, which may lie in the plane of the ray's origin. `t` is the distance
-// along the line of the ray, or kNoHit.
-float hitFlatInPlane(Ray ray, float t, FlatSurface surface, FlatSurface plane, RayStart start) {
-  if (t >= kNoHit || !areCoplanar(plane, surface)) return positiveOrNone(t);
-  return passes(start, dot(surface.normal, ray.direction) < 0.0) ? kNoHit : kAtOnce;
-}
-
-// Returns the distance to a flat primitive or a box of a ray that starts on another one.
-float hitInPlane(Ray ray, uvec4 rows[3], uvec4 origin[3], RayStart start) {
-  vec3 row0 = uintBitsToFloat(rows[0].xyz);
-  vec3 row1 = uintBitsToFloat(rows[1].xyz);
-  uint kind = rows[2].w;
-  FlatSurface plane = flatSurfaceOf(origin, ray.origin);
-  if (kHasTriangles && isKind(kind, kKindTriangle)) {
-    vec3 row2 = uintBitsToFloat(rows[2].xyz);
-    return hitFlatInPlane(ray, triangleDistance(ray, row0, row1, row2), flatTriangle(row0, row1, row2), plane, start);
-  }
-  if (kHasBoxes && isKind(kind, kKindBox)) return hitBoxInPlane(ray, row0, row1, plane, start);
-  if (!kHasPlanes) return kNoHit;
-  return hitFlatInPlane(ray, planeDistance(ray, row0, row1), flatPlane(row0, row1), plane, start);
 }
 
 // Returns whether two emitters, which are spheres or triangles, coincide.

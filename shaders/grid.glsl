@@ -148,7 +148,7 @@ void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
     seekItem(hit.t, work);
     if (hasItem()) {
       uint slot = takeItem(work);
-      keepCloser(hit, hitPrimitive(ray, slot), slot);
+      keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot);
     }
     if (traversal.finished) break;
   }
@@ -162,7 +162,7 @@ bool anyInGrid(Ray ray, RayEnd end, inout Work work) {
     seekItem(end.distance, work);
     if (hasItem()) {
       uint slot = takeItem(work);
-      blocked = occludes(ray, slot, end);
+      blocked = occludes(ray, slot, end, kFinitePrimitive);
     }
     if (traversal.finished || blocked) break;
   }

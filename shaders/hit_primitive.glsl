@@ -12,22 +12,47 @@ struct PrimitiveHit {
   uint index;  // primitive index in the scene
 };
 
-float hitDistance(Ray ray, uvec4 rows[3], uint kind, bool startsHere, bool inward) {
+// What is known of a primitive where its test is compiled.
+const uint kAnyPrimitive = 0u;
+const uint kFinitePrimitive = 1u;
+const uint kInfinitePlane = 2u;
+const uint kApartPrimitive = 3u;  // it coincides with no other
+
+// Returns the distance to the primitive of a slot with these records, whatever its opacity. `known` is a constant.
+float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   vec4 row0 = uintBitsToFloat(rows[0]);
   vec4 row1 = uintBitsToFloat(rows[1]);
   vec4 row2 = uintBitsToFloat(rows[2]);
+  bool startsHere = startsOn(ray, slot);
+  bool ruled = kHasCoincident && known != kApartPrimitive && followsRules(ray, rows, startsHere);
+  if (kHasPlanes && known != kFinitePrimitive && (known == kInfinitePlane || isKind(kind, kKindPlane))) {
+    if (startsHere) return kNoHit;
+    float t = planeDistance(ray, row0.xyz, row1.xyz);
+    if (!mayCoincide(kCoincidentPlane) || !ruled) return positiveOrNone(t);
+    return hitFlatByRules(ray, rows, t, flatPlane(row0.xyz, row1.xyz));
+  }
+  if (known == kInfinitePlane) return kNoHit;
   if (kHasSpheres && isKind(kind, kKindSphere)) {
     bool insideOnly = kHasInsideOnly && (kind & kFlagInsideOnly) != 0u;
-    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, insideOnly, startsHere);
+    bool same = mayCoincide(kCoincidentSphere) && ruled && areSameBody(ray.start.rows, rows);
+    if (same && hitsSphereAtOnce(ray, rows)) return kAtOnce;
+    return hitSphere(ray, row0.xyz, row0.w, row1.xyz, insideOnly, startsHere || same);
   }
   if (kHasTriangles && isKind(kind, kKindTriangle)) {
-    return startsHere ? kNoHit : hitTriangle(ray, row0.xyz, row1.xyz, row2.xyz);
+    if (startsHere) return kNoHit;
+    float t = triangleDistance(ray, row0.xyz, row1.xyz, row2.xyz);
+    if (!mayCoincide(kCoincidentTriangle) || !ruled) return positiveOrNone(t);
+    return hitFlatByRules(ray, rows, t, flatTriangle(row0.xyz, row1.xyz, row2.xyz));
   }
-  if (kHasBoxes && isKind(kind, kKindBox)) return hitBox(ray, row0.xyz, row1.xyz, startsHere, inward);
+  if (kHasBoxes && isKind(kind, kKindBox)) {
+    if (mayCoincide(kCoincidentBox) && known != kApartPrimitive) return hitBoxByRules(ray, rows, startsHere, ruled);
+    return hitBox(ray, row0.xyz, row1.xyz, startsHere, isInward(ray));
+  }
   if (kHasCones && isKind(kind, kKindCone)) {
-    return hitCone(ray, row0.xyz, row0.w, row1.xyz, row2.x, startsHere);
+    bool same = mayCoincide(kCoincidentCone) && ruled && areSameBody(ray.start.rows, rows);
+    if (same && !passes(ray, rows, true)) return kAtOnce;
+    return hitCone(ray, row0.xyz, row0.w, row1.xyz, row2.x, startsHere || same);
   }
-  if (kHasPlanes && isKind(kind, kKindPlane)) return startsHere ? kNoHit : hitPlane(ray, row0.xyz, row1.xyz);
   return kNoHit;
 }
 
@@ -42,29 +67,16 @@ bool isDroppedBack(Ray ray, uvec4 rows[3], uint kind) {
   return dot(cross(p1 - p0, p2 - p0), ray.direction) > 0.0;
 }
 
-// Returns the distance to the primitive of a slot with these records, whatever its opacity.
-float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
-  bool startsHere = startsOn(ray, slot);
-  if (kHasCoincident && !startsHere && (ray.originSlot & kOriginCoincident) != 0u &&
-      (rows[2].w & kFlagCoincident) != 0u) {
-    uvec4 origin[3] = rowsOfSlot(ray.originSlot & kOriginSlotMask);
-    RayStart start = startOf(ray, origin, rows);
-    if ((kHasSpheres || kHasCones || kHasBoxes) && areSameBody(rows, origin)) return hitSameBody(ray, rows, start);
-    if (!isCurved(rows[2].w) && !isCurved(origin[2].w)) return hitInPlane(ray, rows, origin, start);
-  }
-  return hitDistance(ray, rows, kind, startsHere, (ray.originSlot & kOriginInward) != 0u);
-}
-
-PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind) {
-  float t = distanceToRows(ray, slot, rows, kind);
+PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
+  float t = distanceToRows(ray, slot, rows, kind, known);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   if (kHasTransparency && t < kNoHit && (kind & kFlagTransparent) != 0u && !isThere(ray, rows, t)) t = kNoHit;
   return PrimitiveHit(t, rows[1].w);
 }
 
-PrimitiveHit hitPrimitive(Ray ray, uint slot) {
+PrimitiveHit hitPrimitive(Ray ray, uint slot, uint known) {
   uvec4 rows[3] = rowsOfSlot(slot);
-  return hitRows(ray, slot, rows, rows[2].w);
+  return hitRows(ray, slot, rows, rows[2].w, known);
 }
 
 #endif

@@ -49,7 +49,7 @@ float triangleDistance(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   precise float v = a.x * c.y - a.y * c.x;
   precise float w = b.x * a.y - b.y * a.x;
   bool inside = smaller(u, smaller(v, w)) >= 0.0 || larger(u, larger(v, w)) <= 0.0;
-  if (kHasCoincident) {
+  if ((kCoincident & kCoincidentTriangle) != 0u) {
     precise vec3 weighted = vec3(u * a.z, v * b.z, w * c.z);
     float sum = sortedSum(vec3(u, v, w));
     precise float t = sortedSum(weighted) / sum;
@@ -61,8 +61,6 @@ float triangleDistance(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   return t;
 }
 
-float hitTriangle(Ray ray, vec3 p0, vec3 p1, vec3 p2) { return positiveOrNone(triangleDistance(ray, p0, p1, p2)); }
-
 // Returns the distance along the line of the ray, which may be negative, or kNoHit if it is parallel to the plane.
 float planeDistance(Ray ray, vec3 point, vec3 normal) {
   precise float slope = dot(normal, ray.direction);
@@ -70,8 +68,6 @@ float planeDistance(Ray ray, vec3 point, vec3 normal) {
   precise float t = dot(normal, point - ray.origin) / slope;
   return t;
 }
-
-float hitPlane(Ray ray, vec3 point, vec3 normal) { return positiveOrNone(planeDistance(ray, point, normal)); }
 
 // Computes the distances at which the ray enters and exits each pair of a box's planes. A ray parallel to a pair is
 // between its planes either always or never.

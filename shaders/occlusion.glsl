@@ -1,6 +1,7 @@
 // Decides what hides a light from a shadow ray: docs/light-transport.md section 6. Surfaces that contain the light
-// within a margin do not. Of emitters that coincide, a ray sees the one whose distance is smaller, or the lower index. Only primitives that the host has marked (kFlagTouched) can contain one; a scene without any
-// compiles this file to a comparison of distances.
+// within a margin do not. Of emitters that coincide, a ray sees the one whose distance is smaller, or the lower index.
+// Only primitives that the host has marked (kFlagTouched) can contain one; a scene without any compiles this file to a
+// comparison of distances.
 #ifndef CANDELA_OCCLUSION_GLSL
 #define CANDELA_OCCLUSION_GLSL
 #include "primitives.glsl"
@@ -65,18 +66,19 @@ bool coneContains(Ray ray, vec3 base, float baseRadius, vec3 apex, float apexRad
 }
 
 // Returns whether the primitive, which the ray hits at distance t before its end, contains the light.
-bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool startsHere, RayEnd end, float t) {
+bool containsLight(Ray ray, uvec4 rows[3], uint kind, bool startsHere, RayEnd end, float t, uint known) {
   if (!kHasTouched || (kind & kFlagTouched) == 0u || end.point.x >= kNoHit) return false;
   vec4 row0 = uintBitsToFloat(rows[0]);
   vec4 row1 = uintBitsToFloat(rows[1]);
   vec3 row2 = uintBitsToFloat(rows[2].xyz);
+  if (kHasPlanes && known != kFinitePrimitive && (known == kInfinitePlane || isKind(kind, kKindPlane))) {
+    return isInPlane(end.point - row0.xyz, row1.xyz, lightMargin(end.point, largest(abs(row0.xyz))));
+  }
+  if (known == kInfinitePlane) return false;
   if (kHasSpheres && isKind(kind, kKindSphere)) return sphereContains(ray, row0.xyz, row0.w, row1.xyz, end, t);
   if (kHasTriangles && isKind(kind, kKindTriangle)) return triangleContains(row0.xyz, row1.xyz, row2, end.point);
   if (kHasBoxes && isKind(kind, kKindBox)) return boxContains(ray, row0.xyz, row1.xyz, t, startsHere, end.point);
   if (kHasCones && isKind(kind, kKindCone)) return coneContains(ray, row0.xyz, row0.w, row1.xyz, row2.x, end, t);
-  if (kHasPlanes && isKind(kind, kKindPlane)) {
-    return isInPlane(end.point - row0.xyz, row1.xyz, lightMargin(end.point, largest(abs(row0.xyz))));
-  }
   return false;
 }
 
@@ -87,23 +89,26 @@ bool emits(uint kind) {
 }
 
 // Returns whether a primitive other than the light, with these records, hides the light at the ray's end.
-bool rowsHide(Ray ray, uint slot, uvec4 rows[3], uint kind, RayEnd end) {
-  float t = hitRows(ray, slot, rows, kind).t;
-  if (kHasCoincident && kHasSampledEmitters && (rows[2].w & kFlagCoincident) != 0u && end.light != kNoSlot) {
+bool rowsHide(Ray ray, uint slot, uvec4 rows[3], uint kind, RayEnd end, uint known) {
+  float t = hitRows(ray, slot, rows, kind, known).t;
+  if (mayCoincide(kCoincidentEmitters) && kHasSampledEmitters && (rows[2].w & kFlagCoincident) != 0u &&
+      end.light != kNoSlot) {
     uvec4 light[3] = rowsOfSlot(end.light);
     if (emits(rows[2].w) && emittersCoincide(rows, light)) {
-      float ofLight = distanceToRows(ray, end.light, light, light[2].w);
+      float ofLight = distanceToRows(ray, end.light, light, light[2].w, kFinitePrimitive);
       return t < ofLight || (t == ofLight && t < kNoHit && rows[1].w < light[1].w);
     }
   }
-  return t < end.distance && !containsLight(ray, rows, kind, startsOn(ray, slot), end, t);
+  return t < end.distance && !containsLight(ray, rows, kind, startsOn(ray, slot), end, t, known);
 }
 
-bool primitiveHides(Ray ray, uint slot, RayEnd end) {
+bool primitiveHides(Ray ray, uint slot, RayEnd end, uint known) {
   uvec4 rows[3] = rowsOfSlot(slot);
-  return rowsHide(ray, slot, rows, rows[2].w, end);
+  return rowsHide(ray, slot, rows, rows[2].w, end, known);
 }
 
-bool occludes(Ray ray, uint slot, RayEnd end) { return slot != end.light && primitiveHides(ray, slot, end); }
+bool occludes(Ray ray, uint slot, RayEnd end, uint known) {
+  return slot != end.light && primitiveHides(ray, slot, end, known);
+}
 
 #endif

@@ -12,6 +12,7 @@ CANDELA_FEATURES(DECLARE_FEATURE)
 layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
 layout(constant_id = kSpecLayerSums) const uint kLayerSums = 0u;
+layout(constant_id = kSpecCoincident) const uint kCoincident = 0xffffffffu;
 layout(constant_id = kSpecFilmScale) const uint kFilmScale = 0u;
 layout(constant_id = kSpecListsHits) const bool kListsHits = false;
 layout(constant_id = kSpecThroughSpecular) const bool kThroughSpecular = false;
@@ -25,6 +26,7 @@ layout(constant_id = kSpecTexels) const bool kTexelLoads = false;
 layout(constant_id = kSpecRecord) const bool kRecordPaths = false;
 layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
+layout(constant_id = kSpecFirstMarkedSlot) const uint kFirstMarkedSlot = 0u;
 layout(constant_id = kSpecRowsAhead) const bool kRowsAhead = false;
 layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
 layout(constant_id = kSpecView) const uint kView = kViewNone;
@@ -68,6 +70,7 @@ const uint kLayerRows = kAlbedoSquaredSumRow + (kSumsAlbedoSquared ? 1u : 0u);
 const bool kHasTexCoords = kHasTextures || kSumsTexCoord;
 
 const bool kCountsHits = kBackdrop == kBackdropNone;
+const bool kHasCoincident = kCoincident != 0u;
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;

@@ -7,13 +7,28 @@
 
 const float kNoHit = kLargestFloat;
 
+// A flat surface. An infinite plane has four equal points.
+struct FlatSurface {
+  vec3 points[4];
+  vec3 normal;  // unit
+  bool infinite;
+};
+
+// The origin primitive, if another one may coincide with it: coincidence.glsl.
+struct RayStart {
+  uvec4 rows[3];
+  FlatSurface surface;  // on which the ray starts, if it is flat
+  float reach;          // its largest coordinate
+};
+
 struct Ray {
   vec3 origin;
-  vec3 direction;  // unit
-  uint originSlot; // slot of the origin primitive and flags kOrigin..., or kNoSlot
-  bvec2 along;     // the direction's largest component is x, or y; else it is z
-  vec3 shear;      // coefficients of `sheared`; set if the scene has triangles
-  uint opacityKey; // of the decisions which transparent triangles it hits; set if the scene has any
+  vec3 direction;   // unit
+  uint originSlot;  // slot of the origin primitive and flags kOrigin..., or kNoSlot
+  bvec2 along;      // the direction's largest component is x, or y; else it is z
+  vec3 shear;       // coefficients of `sheared`; set if the scene has triangles
+  uint opacityKey;  // of the decisions which transparent triangles it hits; set if the scene has any
+  RayStart start;   // set by withStart() if the scene has coincident surfaces
 };
 
 // Permutes the components cyclically so that the one that `along` names becomes z.
@@ -32,7 +47,14 @@ Ray makeRay(vec3 origin, vec3 direction, uint originSlot) {
     vec3 d = largestLast(direction, along);
     shear = vec3(-d.x / d.z, -d.y / d.z, 1.0 / d.z);
   }
-  return Ray(origin, direction, originSlot, along, shear, 0u);
+  Ray ray;
+  ray.origin = origin;
+  ray.direction = direction;
+  ray.originSlot = originSlot;
+  ray.along = along;
+  ray.shear = shear;
+  ray.opacityKey = 0u;
+  return ray;
 }
 
 // The shear of Woop, Benthin and Wald (JCGT 2013). It maps the ray's origin to 0 and its direction to (0, 0, 1).

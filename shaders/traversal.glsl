@@ -6,7 +6,7 @@
 #include "primitives.glsl"
 
 struct Hit {
-  float t;     // kNoHit: no hit, and the other members are undefined
+  float t;  // kNoHit: no hit, and the other members are undefined
   uint slot;
   uint index;  // primitive index; at equal distances the lower one wins
 };
@@ -30,11 +30,11 @@ void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
 // section 5.
 uint zeroOfLane(Ray ray) { return (floatBitsToUint(ray.direction.x) >> 30) & 1u; }
 
-void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work work) {
+void closestInRange(inout Hit hit, Ray ray, uint first, uint end, uint known, inout Work work) {
   uint slot = first + zeroOfLane(ray);
   uint cutShort = slot < end ? 1u : 0u;
   while (slot < end) {
-    keepCloser(hit, hitPrimitive(ray, slot), slot);
+    keepCloser(hit, hitPrimitive(ray, slot, known), slot);
     ++slot;
     cutShort = slot < end ? 1u : 0u;
     if (slot >= end) break;
@@ -43,12 +43,12 @@ void closestInRange(inout Hit hit, Ray ray, uint first, uint end, inout Work wor
   work.truncated += cutShort;
 }
 
-bool anyInRange(Ray ray, uint first, uint end, RayEnd rayEnd, inout Work work) {
+bool anyInRange(Ray ray, uint first, uint end, RayEnd rayEnd, uint known, inout Work work) {
   uint slot = first + zeroOfLane(ray);
   bool blocked = false;
   uint cutShort = slot < end ? 1u : 0u;
   while (slot < end && !blocked) {
-    blocked = occludes(ray, slot, rayEnd);
+    blocked = occludes(ray, slot, rayEnd, known);
     ++slot;
     cutShort = slot < end && !blocked ? 1u : 0u;
     if (slot >= end || blocked) break;
@@ -65,25 +65,27 @@ uint uniformKind(uint slot) {
   return (kinds[(slot >> 2) & 3u] >> (8u * (slot & 3u))) & 255u;
 }
 
+uint knownOfUniformSlot(uint slot) { return slot < kFirstMarkedSlot ? kApartPrimitive : kAnyPrimitive; }
+
 uvec4[3] rowsOfUniformSlot(uint slot) {
   uint row = slot * kPrimitiveRows;
   return uvec4[3](slotRow(row), slotRow(row + 1u), slotRow(row + 2u));
 }
 
-PrimitiveHit hitUniformSlot(Ray ray, uint slot) {
-  return hitRows(ray, slot, rowsOfUniformSlot(slot), uniformKind(slot));
-}
-
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
-  [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) keepCloser(hit, hitUniformSlot(ray, slot), slot);
+  [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
+    uvec4 rows[3] = rowsOfUniformSlot(slot);
+    keepCloser(hit, hitRows(ray, slot, rows, uniformKind(slot), knownOfUniformSlot(slot)), slot);
+  }
   work.steps += kUniformSlots;
 }
 
 bool anyOfUniform(Ray ray, RayEnd end, inout Work work) {
   bool blocked = false;
   [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
+    uvec4 rows[3] = rowsOfUniformSlot(slot);
     blocked = blocked ||
-              (slot != end.light && rowsHide(ray, slot, rowsOfUniformSlot(slot), uniformKind(slot), end));
+              (slot != end.light && rowsHide(ray, slot, rows, uniformKind(slot), end, knownOfUniformSlot(slot)));
   }
   work.steps += kUniformSlots;
   return blocked;
@@ -97,30 +99,37 @@ vec3 inverseDirection(vec3 direction) {
 }
 
 #include "bvh.glsl"
-#include "wide_bvh.glsl"
 #include "grid.glsl"
+#include "wide_bvh.glsl"
 
 Hit traceClosest(Ray ray, inout Work work) {
+  ray = withStart(ray);
   Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu);
-  if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
-  else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
-  else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
-  else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
-  else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, work);
-  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, work);
+  if (kUniformSlots > 0u)
+    closestOfUniform(hit, ray, work);
+  else if (kStructure == kStructureBvh)
+    closestInHierarchy(hit, ray, work);
+  else if (kStructure == kStructureWideBvh)
+    closestInWideHierarchy(hit, ray, work);
+  else if (kStructure == kStructureGrid)
+    closestInGrid(hit, ray, work);
+  else
+    closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
+  if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
   return hit;
 }
 
 // Returns true if a primitive hides the light at the ray's end.
 bool traceAny(Ray ray, RayEnd end, inout Work work) {
-  if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, end, work)) {
+  ray = withStart(ray);
+  if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, end, kInfinitePlane, work)) {
     return true;
   }
   if (kUniformSlots > 0u) return anyOfUniform(ray, end, work);
   if (kStructure == kStructureBvh) return anyInHierarchy(ray, end, work);
   if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, end, work);
   if (kStructure == kStructureGrid) return anyInGrid(ray, end, work);
-  return anyInRange(ray, 0u, constants.firstPlaneSlot, end, work);
+  return anyInRange(ray, 0u, constants.firstPlaneSlot, end, kFinitePrimitive, work);
 }
 
 #endif

@@ -188,7 +188,7 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
     descendToLeaves(wide, hit.t, work);
     while (leafHits != 0u) {
       uint slot = takeLeafHit();
-      keepCloser(hit, hitPrimitive(ray, slot), slot);
+      keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot);
       work.steps += 1u;
       if (leafHits == 0u) break;
     }
@@ -205,7 +205,7 @@ bool anyInWideHierarchy(Ray ray, RayEnd end, inout Work work) {
     descendToLeaves(wide, end.distance, work);
     while (leafHits != 0u && !blocked) {
       uint slot = takeLeafHit();
-      blocked = occludes(ray, slot, end);
+      blocked = occludes(ray, slot, end, kFinitePrimitive);
       work.steps += 1u;
       if (leafHits == 0u || blocked) break;
     }

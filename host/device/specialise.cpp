@@ -75,6 +75,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
                                                 {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
                                                 {gpu::kSpecTextureSlots, flat.textureSlots},
+                                                {gpu::kSpecCoincident, flat.coincident},
                                                 {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},
@@ -84,6 +85,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecRecord, settings.execution.recordPaths},
                                                 {gpu::kSpecStackSize, flat.stackSize},
                                                 {gpu::kSpecUniformSlots, flat.uniformSlots},
+                                                {gpu::kSpecFirstMarkedSlot, flat.firstMarkedSlot},
                                                 {gpu::kSpecRowsAhead, flat.rowsAhead},
                                                 {gpu::kSpecAreaLights, settings.image.lightSize > 0},
                                                 {gpu::kSpecView, viewOf(settings.image.integrator)}};

@@ -36,9 +36,11 @@ struct FlatScene {
   std::uint32_t structure = gpu::kStructureNone;  ///< kStructure...; a BVH of one leaf is kStructureNone
   std::uint32_t stackSize = 1;                    ///< entries that the traversal of a BVH needs
   std::uint32_t uniformSlots = 0;                 ///< primitives of a small scene, in `slotRows` too; 0: not small
+  std::uint32_t firstMarkedSlot = 0;              ///< of these, the first that may coincide with another
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};
   std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
   std::uint32_t textureSlots = 0;                                    ///< a bit for each scene::TextureSlot in use
+  std::uint32_t coincident = 0;                                      ///< kCoincident...
   bool rowsAhead = false;                                            ///< SmallSceneRule::rowsAhead
   std::uint32_t slotCount = 0;                                       ///< primitives, planes included
   double structureSeconds = 0;                                       ///< time of building the acceleration structure

@@ -85,12 +85,16 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const scene::Coincidences coincidences = scene::findCoincidences(scene);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
-  // The tests of small scenes are unrolled, and compilers would take minutes for those of coincident surfaces.
-  const bool small = isSmall(scene, limits.smallScene) && !coincidences.any();
+  const bool small = isSmall(scene, coincidences.coincident, limits.smallScene) && !wantsStructure(settings);
   std::vector<std::uint32_t> order = bounds.finite;
-  if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
+  if (!small) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
+  if (small) {
+    const auto marked = std::ranges::stable_partition(order,
+                                                      [&](std::uint32_t i) { return !coincidences.coincident[i]; });
+    flat.firstMarkedSlot = static_cast<std::uint32_t>(marked.begin() - order.begin());
+  }
   flat.slotCount = static_cast<std::uint32_t>(order.size());
   flat.constants.slotCount = flat.slotCount;
 
@@ -99,10 +103,10 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
                              coincidenceFlags(scene, coincidences.coincident, settings.image.integrator)};
   noteLights(table, marks.touched, flat.features);
-  flat.features.coincident = coincidences.any();
+  flat.coincident = coincidentKinds(scene, marks.coincidence);
   appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
-  if (small && flat.structure == gpu::kStructureNone) copySlotRows(flat);
+  if (small) copySlotRows(flat);
   const SurfaceOrder surfaces = orderSurfaces(scene);
   appendMaterials(scene, settings.image.integrator, surfaces, flat);
   appendSurfaces(scene, surfaces, flat);

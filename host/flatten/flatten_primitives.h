@@ -31,6 +31,9 @@ struct PrimitiveMarks {
 std::vector<std::uint32_t> coincidenceFlags(const scene::Scene& scene, const std::vector<bool>& coincident,
                                             render::Integrator integrator);
 
+/// Returns the kCoincident... of a scene whose primitives have these flags.
+std::uint32_t coincidentKinds(const scene::Scene& scene, std::span<const std::uint32_t> coincidence);
+
 /// Sets the parts of a sphere's first two records that depend on the eye: the anchor, and the unit vector from the
 /// centre to the anchor.
 void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows);

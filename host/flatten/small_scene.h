@@ -2,6 +2,7 @@
 // is faster than traversing a structure (docs/performance-journal.md, "Constants read ahead, small scenes").
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "host/scene/scene.h"
 
@@ -15,7 +16,7 @@ struct SmallSceneRule {
 };
 
 /// Returns whether `rule` makes the scene a linear list: its cost is low enough, and it has at most
-/// gpu::kMaxUniformSlots primitives.
-bool isSmall(const scene::Scene& scene, const SmallSceneRule& rule);
+/// gpu::kMaxUniformSlots primitives, of which few are coincident (scene::Coincidences::coincident).
+bool isSmall(const scene::Scene& scene, const std::vector<bool>& coincident, const SmallSceneRule& rule);
 
 }  // namespace candela::flatten

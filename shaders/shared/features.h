@@ -26,7 +26,6 @@
   X(pointLights, kHasPointLights, 15)                                                            \
   X(punctualLights, kHasPunctualLights, 29) /* point with fall-off, spot, directional */         \
   X(touched, kHasTouched, 95)               /* some primitive may contain a light */             \
-  X(coincident, kHasCoincident, 88)         /* some surface coincides with another one */        \
   X(insideOnly, kHasInsideOnly, 26)         /* some sphere has a negative radius */              \
   X(sky, kHasSky, 16)                                                                            \
   X(environment, kHasEnvironment, 33)                                                            \

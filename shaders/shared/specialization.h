@@ -2,6 +2,7 @@
 #ifndef CANDELA_SHARED_SPECIALIZATION_H
 #define CANDELA_SHARED_SPECIALIZATION_H
 #include "language.h"
+#include "scene_rows.h"
 CANDELA_BEGIN
 
 CANDELA_CONST uint kSpecWorkgroupX = 0u;
@@ -14,8 +15,9 @@ CANDELA_CONST uint kSpecStructure = 21u;  // kStructure...
 CANDELA_CONST uint kSpecTexels = 22u;     // the scene is read through the texel buffer
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
-CANDELA_CONST uint kSpecUniformSlots = 27u;  // primitives whose records are in the uniform buffer; 0: none
-CANDELA_CONST uint kSpecRowsAhead = 28u;     // these records are read before anything else
+CANDELA_CONST uint kSpecUniformSlots = 27u;     // primitives whose records are in the uniform buffer; 0: none
+CANDELA_CONST uint kSpecFirstMarkedSlot = 96u;  // of these, the first that may coincide with another
+CANDELA_CONST uint kSpecRowsAhead = 28u;        // these records are read before anything else
 // Ids from 40 on belong to the Whitted tracer.
 CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
 // Ids from 50 on belong to the views.
@@ -24,9 +26,10 @@ CANDELA_CONST uint kSpecLimitsIndirect = 90u;   // contributions of indirect lig
 CANDELA_CONST uint kSpecLayerSums = 93u;        // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
 CANDELA_CONST uint kSpecListsHits = 94u;        // the film has a list of the primitives that camera rays hit
 CANDELA_CONST uint kSpecThroughSpecular = 98u;  // layers show what is seen in perfect mirrors and through glass
-CANDELA_CONST uint kSpecFilmScale = 89u;        // k: the film adds samples times 2^-k
-CANDELA_CONST uint kSpecTextureSlots = 92u;     // a bit for each texture slot that some material of the scene uses
-CANDELA_CONST uint kSpecBackdrop = 91u;         // kBackdrop...
+CANDELA_CONST uint kSpecCoincident = 88u;  // kCoincident..., a bit for each kind of surface that coincides with another
+CANDELA_CONST uint kSpecFilmScale = 89u;   // k: the film adds samples times 2^-k
+CANDELA_CONST uint kSpecTextureSlots = 92u;  // a bit for each texture slot that some material of the scene uses
+CANDELA_CONST uint kSpecBackdrop = 91u;      // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.
 CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
 // Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.
@@ -49,7 +52,14 @@ CANDELA_CONST uint kSamplerSobol = 2u;
 CANDELA_CONST uint kBackdropEnvironment = 0u;  // camera rays see the background that lights the scene
 CANDELA_CONST uint kBackdropColour = 1u;
 CANDELA_CONST uint kBackdropNone = 2u;  // the film counts the samples that hit something
-CANDELA_CONST uint kViewNone = 0u;      // an image of light
+CANDELA_CONST uint kCoincidentSphere = 1u << kKindSphere;
+CANDELA_CONST uint kCoincidentTriangle = 1u << kKindTriangle;
+CANDELA_CONST uint kCoincidentBox = 1u << kKindBox;
+CANDELA_CONST uint kCoincidentCone = 1u << kKindCone;
+CANDELA_CONST uint kCoincidentPlane = 1u << kKindPlane;
+CANDELA_CONST uint kCoincidentTransmits = 1u << 8u;  // light crosses some of them
+CANDELA_CONST uint kCoincidentEmitters = 1u << 9u;   // some emitter coincides with another one
+CANDELA_CONST uint kViewNone = 0u;                   // an image of light
 CANDELA_CONST uint kViewAo = 1u;
 CANDELA_CONST uint kViewNormal = 2u;
 CANDELA_CONST uint kViewAlbedo = 3u;

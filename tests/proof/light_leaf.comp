@@ -34,7 +34,7 @@ Surface surfaceOf(vec4 place, uint slot) {
 
 vec4 found(Surface from, uint slot, vec3 direction) {
   Ray ray = rayFrom(from, direction, false);
-  float t = hitPrimitive(ray, slot).t;
+  float t = hitPrimitive(ray, slot, kAnyPrimitive).t;
   if (t >= kNoHit) return vec4(0.0);
   return vec4(t, lightPdf(ray, surfaceAt(ray, slot, t), t), 0.0, 0.0);
 }

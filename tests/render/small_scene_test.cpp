@@ -31,26 +31,50 @@ vulkan::DeviceInfo deviceWith(const char* driver) {
 
 TEST_CASE("whether a scene is small depends on the cost of its primitives, not only on their number") {
   const flatten::SmallSceneRule rule{.maxCost = 48, .rowsAhead = false};
-  CHECK(isSmall(scattered(kTriangle, 16), rule));
-  CHECK(!isSmall(scattered(kTriangle, 17), rule));
-  CHECK(isSmall(scattered(kSphere, 24), rule));
-  CHECK(!isSmall(scattered(kSphere, 25), rule));
-  CHECK(isSmall(scattered(kCone, 3), rule));
-  CHECK(!isSmall(scattered(kCone, 4), rule));
-  CHECK(isSmall(scattered(kCone, 0), rule));
+  CHECK(isSmall(scattered(kTriangle, 16), {}, rule));
+  CHECK(!isSmall(scattered(kTriangle, 17), {}, rule));
+  CHECK(isSmall(scattered(kSphere, 24), {}, rule));
+  CHECK(!isSmall(scattered(kSphere, 25), {}, rule));
+  CHECK(isSmall(scattered(kCone, 3), {}, rule));
+  CHECK(!isSmall(scattered(kCone, 4), {}, rule));
+  CHECK(isSmall(scattered(kCone, 0), {}, rule));
 }
 
 TEST_CASE("no scene with more primitives than the uniform buffer can store is small") {
   const flatten::SmallSceneRule all{.maxCost = 1000, .rowsAhead = false};
-  CHECK(isSmall(scattered(kSphere, gpu::kMaxUniformSlots), all));
-  CHECK(!isSmall(scattered(kSphere, gpu::kMaxUniformSlots + 1), all));
+  CHECK(isSmall(scattered(kSphere, gpu::kMaxUniformSlots), {}, all));
+  CHECK(!isSmall(scattered(kSphere, gpu::kMaxUniformSlots + 1), {}, all));
+}
+
+TEST_CASE("a small scene has at most four surfaces that coincide, which come last") {
+  const flatten::SmallSceneRule rule{.maxCost = 48, .rowsAhead = false};
+  std::vector<bool> coincident(8, false);
+  std::fill_n(coincident.begin() + 2, 4, true);
+  CHECK(isSmall(scattered(kSphere, 8), coincident, rule));
+  coincident[7] = true;
+  CHECK(!isSmall(scattered(kSphere, 8), coincident, rule));
+
+  const scene::Scene
+      scene = scene::parseScene(
+                  "v from 0 -6 1 at 0 0 0 up 0 0 1 angle 40 hither 0 resolution 8 8\nf 1 1 1 1 0 0 0 0 1\n"
+                  "box 0 0 0 1 1 1\ns 3 0 2 1\npl 0 0 0 1 0 0 0 1 0\ns -3 0 2 1\n",
+                  "test", ".")
+                  .scene;
+  const flatten::FlatScene flat = flatten::flattenScene(scene, {},
+                                                        {.maxGridSide = flatten::kAnyGridSide, .smallScene = rule});
+  CHECK(flat.uniformSlots == 4);
+  CHECK(flat.firstMarkedSlot == 2);
+  for (std::uint32_t slot = 0; slot < 4; ++slot) {
+    const bool marked = (flat.slotRows[slot * gpu::kPrimitiveRows + 2].w & gpu::kFlagCoincident) != 0;
+    CHECK(marked == (slot >= 2));
+  }
 }
 
 TEST_CASE("lavapipe traces larger scenes as a linear list than other devices, and reads them ahead") {
   const flatten::SmallSceneRule lavapipe = smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
   const flatten::SmallSceneRule other = smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
-  CHECK(isSmall(scattered(kTriangle, 40), lavapipe));
-  CHECK(!isSmall(scattered(kTriangle, 40), other));
+  CHECK(isSmall(scattered(kTriangle, 40), {}, lavapipe));
+  CHECK(!isSmall(scattered(kTriangle, 40), {}, other));
   CHECK(lavapipe.rowsAhead);
   CHECK(!other.rowsAhead);
 }
