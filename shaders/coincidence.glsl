@@ -102,8 +102,8 @@ bool passes(Ray ray, uvec4 rows[3], bool sameSide) {
   uint contact = ray.originSlot & (kOriginBeyond | kOriginBack);
   bool crosses = (ray.originSlot & kOriginCrosses) != 0u;
   if (crosses && contact != kOriginBack) {
-    bool isBehind = transmits && rows[1].w < ray.start.rows[1].w;
-    return isBehind || isContinued && (sameSide || (rows[2].w & kFlagThinWalled) != 0u);
+    bool isLower = transmits && indexOf(rows) < indexOf(ray.start.rows);
+    return isLower || isContinued && (sameSide || (rows[2].w & kFlagThinWalled) != 0u);
   }
   if (!crosses && contact != 0u) return isContinued || contact == kOriginBeyond && !transmits;
   return true;
@@ -117,6 +117,26 @@ bool hitsSphereAtOnce(Ray ray, uvec4 rows[3]) {
   bool flipped = kHasInsideOnly && ((rows[2].w ^ ray.start.rows[2].w) & kFlagInsideOnly) != 0u;
   bool enters = isInward(ray) != (kHasInsideOnly && (ray.start.rows[2].w & kFlagInsideOnly) != 0u);
   return !passes(ray, rows, !flipped) && !(insideOnly && enters);
+}
+
+// Returns the cosine of the ray's angle to the normal of a flat primitive, which the ray hits at distance t.
+float flatCosine(Ray ray, uvec4 rows[3], float t) {
+  vec3 row0 = uintBitsToFloat(rows[0].xyz);
+  vec3 row1 = uintBitsToFloat(rows[1].xyz);
+  if (kHasPlanes && isKind(rows[2].w, kKindPlane)) return abs(dot(row1, ray.direction));
+  if (kHasBoxes && isKind(rows[2].w, kKindBox)) {
+    vec3 position = ray.origin + t * ray.direction;
+    return abs(dot(boxNormal(ray, row0, row1, t, false, position), ray.direction));
+  }
+  return abs(dot(triangleNormal(row1 - row0, uintBitsToFloat(rows[2].xyz) - row0), ray.direction));
+}
+
+// Returns the distance that a primitive behind an emitter counts for, in comparisons with others that the ray hits.
+float distanceBehind(Ray ray, uvec4 rows[3], float t) {
+  if (!isFlat(rows[2].w)) return t;
+  if (t == kAtOnce) return 2.0 * kAtOnce;
+  float margin = 2.0 * kCoplanar * larger(uintBitsToFloat(kBehindReach), largest(abs(ray.origin)));
+  return min(t + margin / flatCosine(ray, rows, t), 0.5 * kNoHit);
 }
 
 // Returns the distance to a triangle or a plane to which the rules apply. `t` is the distance along the line of the

@@ -9,7 +9,7 @@
 
 struct PrimitiveHit {
   float t;
-  uint index;  // primitive index in the scene
+  uint index;  // primitive index in the scene, and kIndexBehind
 };
 
 // What is known of a primitive where its test is compiled.
@@ -74,9 +74,16 @@ PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   return PrimitiveHit(t, rows[1].w);
 }
 
+// Returns the hit as it is compared with others.
+PrimitiveHit comparedHit(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
+  PrimitiveHit hit = hitRows(ray, slot, rows, kind, known);
+  if (!kHasBehind || known == kApartPrimitive || hit.t >= kNoHit || (rows[1].w & kIndexBehind) == 0u) return hit;
+  return PrimitiveHit(distanceBehind(ray, rows, hit.t), hit.index);
+}
+
 PrimitiveHit hitPrimitive(Ray ray, uint slot, uint known) {
   uvec4 rows[3] = rowsOfSlot(slot);
-  return hitRows(ray, slot, rows, rows[2].w, known);
+  return comparedHit(ray, slot, rows, rows[2].w, known);
 }
 
 #endif

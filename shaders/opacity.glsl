@@ -31,7 +31,7 @@ bool isThere(Ray ray, uvec4 rows[3], float t) {
   vec3 position = ray.origin + t * ray.direction;
   vec2 weights = barycentrics(position, uintBitsToFloat(rows[0].xyz), uintBitsToFloat(rows[1].xyz),
                               uintBitsToFloat(rows[2].xyz));
-  vec3 numbers = toUnit(pcg4d(uvec4(ray.opacityKey, rows[1].w, 0u, 0u))).xyz;
+  vec3 numbers = toUnit(pcg4d(uvec4(ray.opacityKey, indexOf(rows), 0u, 0u))).xyz;
   return numbers.x < opacityAt(constants.firstAttributeRow + rows[0].w, rows[2].w, weights, numbers.yz);
 }
 

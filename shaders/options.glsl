@@ -13,6 +13,7 @@ layout(constant_id = kSpecOneSided) const bool kOneSided = false;
 layout(constant_id = kSpecLimitsIndirect) const bool kLimitsIndirect = false;
 layout(constant_id = kSpecLayerSums) const uint kLayerSums = 0u;
 layout(constant_id = kSpecCoincident) const uint kCoincident = 0xffffffffu;
+layout(constant_id = kSpecBehindReach) const uint kBehindReach = 0x3f800000u;
 layout(constant_id = kSpecFilmScale) const uint kFilmScale = 0u;
 layout(constant_id = kSpecListsHits) const bool kListsHits = false;
 layout(constant_id = kSpecThroughSpecular) const bool kThroughSpecular = false;
@@ -71,6 +72,7 @@ const bool kHasTexCoords = kHasTextures || kSumsTexCoord;
 
 const bool kCountsHits = kBackdrop == kBackdropNone;
 const bool kHasCoincident = kCoincident != 0u;
+const bool kHasBehind = kHasCoincident && kBehindReach != 0u;
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;
 const bool kHasSampledEmitters = kHasSphereLights || kHasTriangleLights;

@@ -47,6 +47,9 @@ uvec4[3] rowsOfSlot(uint slot) {
   return uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
 }
 
+// Returns the index in the scene of the primitive with these records.
+uint indexOf(uvec4 rows[3]) { return rows[1].w & kIndexMask; }
+
 bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
 
 struct Light {

@@ -74,7 +74,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   surface.position = position;
   surface.slot = slot;
   surface.kind = bits2.w;
-  surface.index = bits1.w;
+  surface.index = bits1.w & kIndexMask;
   bool forth = (ray.originSlot & (kOriginCrosses | kOriginBack)) != 0u;
   surface.contact = !kHasCoincident || t != kAtOnce ? 0u : forth ? kOriginBeyond : kOriginBack;
   surface.light = 0u;

@@ -6,7 +6,7 @@
 #include "primitives.glsl"
 
 struct Hit {
-  float t;  // kNoHit: no hit, and the other members are undefined
+  float t;  // kNoHit: no hit, and the other members are undefined; during the search, the distance that is compared
   uint slot;
   uint index;  // primitive index; at equal distances the lower one wins
 };
@@ -75,7 +75,7 @@ uvec4[3] rowsOfUniformSlot(uint slot) {
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
   [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
     uvec4 rows[3] = rowsOfUniformSlot(slot);
-    keepCloser(hit, hitRows(ray, slot, rows, uniformKind(slot), knownOfUniformSlot(slot)), slot);
+    keepCloser(hit, comparedHit(ray, slot, rows, uniformKind(slot), knownOfUniformSlot(slot)), slot);
   }
   work.steps += kUniformSlots;
 }
@@ -116,6 +116,11 @@ Hit traceClosest(Ray ray, inout Work work) {
   else
     closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
+  if (kHasBehind && hit.t < kNoHit && (hit.index & kIndexBehind) != 0u) {
+    uvec4 rows[3] = rowsOfSlot(hit.slot);
+    hit.t = distanceToRows(ray, hit.slot, rows, rows[2].w, kAnyPrimitive);
+    hit.index &= kIndexMask;
+  }
   return hit;
 }
 

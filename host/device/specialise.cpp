@@ -1,6 +1,8 @@
 // Computes the specialisation constants of a kernel.
 #include "host/device/specialise.h"
 
+#include <bit>
+
 #include "shaders/shared/features.h"
 #include "shaders/shared/specialization.h"
 
@@ -76,6 +78,7 @@ std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, c
                                                 {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
                                                 {gpu::kSpecTextureSlots, flat.textureSlots},
                                                 {gpu::kSpecCoincident, flat.coincident},
+                                                {gpu::kSpecBehindReach, std::bit_cast<std::uint32_t>(flat.behindReach)},
                                                 {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
                                                 {gpu::kSpecLens, lensOf(flat, settings)},
                                                 {gpu::kSpecFilter, filterOf(settings)},

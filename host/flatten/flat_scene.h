@@ -41,6 +41,7 @@ struct FlatScene {
   std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
   std::uint32_t textureSlots = 0;                                    ///< a bit for each scene::TextureSlot in use
   std::uint32_t coincident = 0;                                      ///< kCoincident...
+  float behindReach = 0;                                             ///< Coincidences::behindReach
   bool rowsAhead = false;                                            ///< SmallSceneRule::rowsAhead
   std::uint32_t slotCount = 0;                                       ///< primitives, planes included
   double structureSeconds = 0;                                       ///< time of building the acceleration structure

@@ -101,8 +101,10 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
   const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
-                             coincidenceFlags(scene, coincidences.coincident, settings.image.integrator)};
+                             coincidenceFlags(scene, coincidences.coincident, settings.image.integrator),
+                             coincidences.behind};
   noteLights(table, marks.touched, flat.features);
+  flat.behindReach = coincidences.behindReach;
   flat.coincident = coincidentKinds(scene, marks.coincidence);
   appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;

@@ -26,11 +26,15 @@ std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& contex
   return kindAndFlags | touched | opaque | context.coincidence | primitive.material << gpu::kMaterialShift;
 }
 
+std::uint32_t indexWord(const PrimitiveContext& context) {
+  return context.primitive | (context.behind ? gpu::kIndexBehind : 0);
+}
+
 void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
                  Rows&) {
   const std::uint32_t inside = sphere.radius < 0 ? gpu::kFlagInsideOnly : 0;
   rows.push_back({});
-  rows.push_back({0, 0, 0, context.primitive});
+  rows.push_back({0, 0, 0, indexWord(context)});
   placeSphere(sphere, scene.camera->from, std::span(rows).last<2>());
   rows.push_back({context.light, 0, 0, kindWord(scene, context, gpu::kKindSphere | inside)});
 }
@@ -43,13 +47,13 @@ void appendShape(const scene::Triangle& triangle, const scene::Scene& scene, con
   const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
   if (flags != 0) appendAttributes(scene, context, primitive, flags, attributes);
   rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
-  rows.push_back(row(glm::dvec3(triangle.p[1]), context.primitive));
+  rows.push_back(row(glm::dvec3(triangle.p[1]), indexWord(context)));
   rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | flags | passed)));
 }
 
 void appendShape(const scene::Box& box, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows, Rows&) {
   rows.push_back(row(glm::dvec3(box.min), 0u));
-  rows.push_back(row(glm::dvec3(box.max), context.primitive));
+  rows.push_back(row(glm::dvec3(box.max), indexWord(context)));
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindBox)});
 }
 
@@ -58,7 +62,7 @@ void appendShape(const scene::Cone& stated, const scene::Scene& scene, const Pri
                  Rows&) {
   const scene::Cone cone = context.coincidence != 0 ? withSortedEnds(stated) : stated;
   rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
-  rows.push_back(row(glm::dvec3(cone.apex), context.primitive));
+  rows.push_back(row(glm::dvec3(cone.apex), indexWord(context)));
   rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, context, gpu::kKindCone)});
 }
 
@@ -67,7 +71,7 @@ void appendShape(const scene::Plane& plane, const scene::Scene& scene, const Pri
   const glm::dvec3 point(plane.p[0]);
   const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(plane.p[1]) - point, glm::dvec3(plane.p[2]) - point));
   rows.push_back(row(point, 0u));
-  rows.push_back(row(normal, context.primitive));
+  rows.push_back(row(normal, indexWord(context)));
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindPlane)});
 }
 
@@ -108,6 +112,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
                                    .light = lightOf[primitive],
                                    .touched = marks.touched[primitive],
                                    .coincidence = marks.coincidence[primitive],
+                                   .behind = marks.behind[primitive],
                                    .keepsTexCoords = keepsTexCoords};
     appendPrimitive(scene, context, flat.rows, attributes);
   }

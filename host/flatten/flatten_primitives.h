@@ -17,6 +17,7 @@ struct PrimitiveContext {
   std::uint32_t light = 0;        ///< index in the light table + 1; 0: not in it
   bool touched = false;           ///< the surface may contain a light: touched_primitives.h
   std::uint32_t coincidence = 0;  ///< flags of a surface with which another one may coincide
+  bool behind = false;            ///< an emitter that coincides with it is in front of it
   bool keepsTexCoords = false;    ///< even if no texture needs the texture coordinates
 };
 
@@ -24,6 +25,7 @@ struct PrimitiveContext {
 struct PrimitiveMarks {
   std::vector<bool> touched;               ///< result of touchedPrimitives()
   std::vector<std::uint32_t> coincidence;  ///< result of coincidenceFlags()
+  std::vector<bool> behind;                ///< Coincidences::behind
 };
 
 /// Returns for each primitive that is `coincident` kFlagCoincident and the flags that tell how rays cross it, and 0 for

@@ -109,6 +109,40 @@ struct HitDistance {
   bool passes(bool isSameSide) const { return isSameSide ? passesSameSide : passesOtherSide; }
 };
 
+// A hit as it is compared with others. Of equal distances, those behind emitters come last, then the higher indices.
+struct Candidate {
+  double distance = kNoHit;
+  bool behind = true;
+  std::uint32_t primitive = kNoPrimitive;
+
+  auto operator<=>(const Candidate&) const = default;
+};
+
+// Returns the cosine of the angle between a ray and the normal of a flat shape that it hits at distance t; 0 for
+// others.
+struct FlatCosine {
+  const Ray& ray;
+  double t;
+
+  double operator()(const TriangleShape& triangle) const { return of(normalize(triangle.areaNormal())); }
+  double operator()(const PlaneShape& plane) const { return of(plane.unitNormal); }
+  double operator()(const BoxShape& box) const {
+    const BoxShape::Crossings line = box.crossings(ray);
+    const bool enters = std::abs(t - line.entry) <= std::abs(t - line.exit);
+    return of(enters ? line.entryNormal(ray) : line.exitNormal(ray));
+  }
+  double operator()(const SphereShape&) const { return 0; }
+  double operator()(const ConeShape&) const { return 0; }
+
+  double of(const dvec3& normal) const { return std::abs(dot(normal, ray.direction)); }
+};
+
+bool hasEmissivePrimitive(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.primitives, [&](const scene::Primitive& primitive) {
+    return isEmissive(scene.materials[primitive.material]);
+  });
+}
+
 }  // namespace
 
 Counters& Counters::operator+=(const Counters& other) {
@@ -144,9 +178,13 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const auto isCrossed = [&](const scene::Material& material) { return transmits(material, whitted); };
   if (tracesReplicas || std::ranges::any_of(scene.materials, isCrossed)) pad(boxes, eye_);
+  scene::Coincidences coincidences;
+  if (hasEmissivePrimitive(scene)) coincidences = scene::findCoincidences(scene);
+  behindReach_ = double{coincidences.behindReach};
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.image.oneSided && material.opaque);
+    items_.back().behind = behindReach_ > 0 && coincidences.behind[primitive];
   };
 
   items_.reserve(scene.primitives.size());
@@ -186,7 +224,7 @@ void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSi
   const bool whitted = settings_.image.integrator == render::Integrator::whitted;
   itemOf_[index] = static_cast<std::uint32_t>(items_.size());
   items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), isEmissive(material),
-                    transmits(material, whitted), thinWalled, primitive.material, index, index});
+                    transmits(material, whitted), thinWalled, false, primitive.material, index, index});
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {
@@ -266,13 +304,24 @@ bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters,
   return false;
 }
 
+double Tracing::comparedDistance(const Item& item, const Ray& ray, double t) const {
+  if (!item.behind || t == kNoHit) return t;
+  if (isAtOnce(t)) return 2 * t;
+  const double cosine = std::visit(FlatCosine{ray, t}, item.shape);
+  const dvec3 origin = abs(ray.origin);
+  const double reach = std::max({behindReach_, origin.x, origin.y, origin.z});
+  return cosine > 0 ? std::min(t + 2 * kCoplanar * reach / cosine, kNoHit / 2) : t;
+}
+
 Hit Tracing::closest(const Ray& ray, Counters& counters) const {
   Hit nearest;
-  visitItems(ray, nearest.distance, counters, [&](const Item& item) {
-    const double itemDistance = distance(item, ray);
-    const bool nearer = itemDistance < nearest.distance;
-    const bool wins = itemDistance == nearest.distance && itemDistance < kNoHit && item.primitive < nearest.primitive;
-    if ((nearer || wins) && !passes(item, ray, 0)) nearest = {itemDistance, item.primitive};
+  Candidate best;
+  visitItems(ray, best.distance, counters, [&](const Item& item) {
+    const double exact = distance(item, ray);
+    const Candidate candidate{comparedDistance(item, ray, exact), item.behind, item.primitive};
+    if (!(candidate < best) || exact == kNoHit || passes(item, ray, 0)) return false;
+    best = candidate;
+    nearest = {exact, item.primitive};
     return false;
   });
   return nearest;
@@ -317,15 +366,17 @@ Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
   const dvec3 signs = rounding.signs();
   const std::uint64_t word = rounding.word();
   Hit nearest;
+  Candidate best;
   dvec3 hitOrigin = ray.origin;
   Ray tested = ray;
-  visitItems(ray, nearest.distance, counters, [&](const Item& item) {
+  visitItems(ray, best.distance, counters, [&](const Item& item) {
     tested.origin = testedOrigin(item, ray.origin, signs);
     const double exact = distance(item, tested);
-    if (!(exact < nearest.distance * (1 + kTie))) return false;
+    if (!(exact < best.distance * (1 + kTie))) return false;
     const double rounded = roundedDistance(item, exact, word);
-    const bool wins = rounded == nearest.distance && item.primitive < nearest.primitive;
-    if (!(rounded < nearest.distance || wins) || passes(item, tested, word)) return false;
+    const Candidate candidate{comparedDistance(item, tested, rounded), item.behind, item.primitive};
+    if (!(candidate < best) || passes(item, tested, word)) return false;
+    best = candidate;
     nearest = {rounded, item.primitive};
     hitOrigin = tested.origin;
     return false;

@@ -69,6 +69,7 @@ class Tracing {
     bool emits;
     bool transmits;
     bool thinWalled;  ///< transmits without bounding a volume
+    bool behind;      ///< an emitter that coincides with it is in front of it
     std::uint32_t material;
     std::uint32_t primitive;
     std::uint32_t firstCopy;  ///< the lowest index of a primitive of the same shape; perturbed by the same errors
@@ -76,6 +77,8 @@ class Tracing {
 
   void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided);
   double distance(const Item& item, const Ray& ray) const;
+  /// Returns the distance that an item which is hit at distance `t` counts for, in comparisons with others.
+  double comparedDistance(const Item& item, const Ray& ray, double t) const;
   /// Returns whether the item, which `ray` hits at distance `t` before its `end`, contains the light there. `fraction`
   /// is kLightMargin, perturbed by the rounding of a replica.
   bool containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const;
@@ -104,6 +107,7 @@ class Tracing {
   std::vector<Item> items_;             ///< in the structure's order, then those outside of the structure
   std::vector<std::uint32_t> itemOf_;   ///< index in items_ of each primitive; undefined for those that are never hit
   std::size_t firstOutside_ = 0;        ///< index of the first item outside of the structure
+  double behindReach_ = 0;              ///< largest coordinate of the items that are behind emitters, and of these
   std::vector<RoundingReach> reaches_;  ///< of items_; empty unless replicas are traced
   Hierarchy hierarchy_;
   Grid grid_;

@@ -274,6 +274,45 @@ void markCoincident(const std::vector<Flat>& finite, Coincidences& result) {
   }
 }
 
+struct LargestCoordinate {
+  float operator()(const Sphere& s) const { return largest(glm::abs(s.centre)) + std::abs(s.radius); }
+  float operator()(const Triangle& t) const { return reachOf(t.p); }
+  float operator()(const Box& box) const { return reachOf(std::array<vec3, 2>{box.min, box.max}); }
+  float operator()(const Cone& c) const {
+    return reachOf(std::array<vec3, 2>{c.base, c.apex}) + std::max(c.baseRadius, c.apexRadius);
+  }
+  float operator()(const Plane& plane) const { return largest(glm::abs(plane.p[0])); }
+};
+
+// Marks surfaces that are behind emitters. Copies share the marks that their first copy has.
+void markBehind(const Scene& scene, Coincidences& result) {
+  const auto count = static_cast<std::uint32_t>(result.firstCopy.size());
+  std::vector<bool> emits(count), holdsEmitter(count), isInvolved(count);  // by first copy
+  const auto emitsItself = [&](std::uint32_t i) { return isEmissive(scene.materials[scene.primitives[i].material]); };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (emitsItself(i)) emits[result.firstCopy[i]] = true;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) holdsEmitter[i] = emits[i];
+  for (const auto& [a, b] : result.overlaps) {
+    if (emits[a]) holdsEmitter[b] = true;
+    if (emits[b]) holdsEmitter[a] = true;
+  }
+  result.behind.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    result.behind[i] = holdsEmitter[result.firstCopy[i]] && !emitsItself(i);
+    if (result.behind[i]) isInvolved[result.firstCopy[i]] = true;
+  }
+  for (const auto& [a, b] : result.overlaps) {
+    if (isInvolved[a] && emits[b]) isInvolved[b] = true;
+    if (isInvolved[b] && emits[a]) isInvolved[a] = true;
+  }
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!isInvolved[i]) continue;
+    const float reach = std::visit(LargestCoordinate(), shapeOf(scene, scene.primitives[i]));
+    result.behindReach = std::max(result.behindReach, reach);
+  }
+}
+
 }  // namespace
 
 Cone withSortedEnds(Cone cone) {
@@ -316,6 +355,7 @@ Coincidences findCoincidences(const Scene& scene) {
   const auto repeated = std::ranges::unique(result.overlaps);
   result.overlaps.erase(repeated.begin(), repeated.end());
   markCoincident(finite, result);
+  markBehind(scene, result);
   return result;
 }
 

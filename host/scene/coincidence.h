@@ -31,6 +31,10 @@ struct Coincidences {
   /// Whether the search ended before all pairs were compared. `overlaps` is then incomplete, and `coincident` is true
   /// for every flat primitive.
   bool truncated = false;
+  /// For each primitive whether it does not emit, and an emitter is a copy of it or overlaps it in one plane.
+  std::vector<bool> behind;
+  /// The largest coordinate of all surfaces that are behind and of their emitters; 0 if there are none.
+  float behindReach = 0;
 
   bool any() const;
 };

@@ -23,8 +23,8 @@ CANDELA_CONST uint kCellsPerRow = 3u;
 CANDELA_CONST uint kItemsPerRow = 4u;
 
 // Primitives ("slots", in the order of the BVH's leaves or of the grid's cells, with infinite planes last), three
-// records each. Common to all kinds: w of record 1 is the primitive index in the scene, w of record 2 is kind, flags
-// and material (below).
+// records each. Common to all kinds: w of record 1 is the primitive index in the scene and kIndexBehind, w of record 2
+// is kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see intersections.glsl
 //   triangle  (p0, light + 1, or first record of its attributes if it has any) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
@@ -48,6 +48,8 @@ CANDELA_CONST uint kFlagEmissionColours = 1024u;  // triangle whose vertex colou
 CANDELA_CONST uint kFlagCoincident = 2048u;       // another surface may coincide with it: coincidence.glsl
 CANDELA_CONST uint kFlagTransmits = 4096u;        // rays may cross the surface
 CANDELA_CONST uint kFlagThinWalled = 8192u;       // it bounds no volume
+CANDELA_CONST uint kIndexBehind = 0x80000000u;    // it is behind an emitter: docs/light-transport.md section 4
+CANDELA_CONST uint kIndexMask = 0x7fffffffu;
 CANDELA_CONST uint kMaterialShift = 14u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 

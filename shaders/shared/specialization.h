@@ -27,7 +27,9 @@ CANDELA_CONST uint kSpecLayerSums = 93u;        // the sums of CANDELA_LAYER_SUM
 CANDELA_CONST uint kSpecListsHits = 94u;        // the film has a list of the primitives that camera rays hit
 CANDELA_CONST uint kSpecThroughSpecular = 98u;  // layers show what is seen in perfect mirrors and through glass
 CANDELA_CONST uint kSpecCoincident = 88u;  // kCoincident..., a bit for each kind of surface that coincides with another
-CANDELA_CONST uint kSpecFilmScale = 89u;   // k: the film adds samples times 2^-k
+// The largest coordinate of the surfaces that are behind emitters, as the bits of a float; 0: there are none.
+CANDELA_CONST uint kSpecBehindReach = 99u;
+CANDELA_CONST uint kSpecFilmScale = 89u;     // k: the film adds samples times 2^-k
 CANDELA_CONST uint kSpecTextureSlots = 92u;  // a bit for each texture slot that some material of the scene uses
 CANDELA_CONST uint kSpecBackdrop = 91u;      // kBackdrop...
 // Ids from 60 on belong to the kernels that trace rays alone.

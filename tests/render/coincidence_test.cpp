@@ -351,6 +351,74 @@ TEST_CASE("a blended surface that exists twice is blended twice") {
   });
 }
 
+TEST_CASE(
+    "a lamp in the plane of a surface that does not emit is in front of it, with and without next-event estimation") {
+  const auto tilted = [](const vec3& middle, float size, bool downward) {
+    const vec3 right(size, 0, 0.3f * size), up(0.1f * size, size, -0.2f * size);
+    std::array<vec3, 4> corners{middle - right - up, middle - right + up, middle + right + up, middle + right - up};
+    if (!downward) std::swap(corners[1], corners[3]);
+    return corners;
+  };
+  struct Case {
+    std::string name;
+    std::function<void(SceneBuilder&, const vec3&)> ceiling;
+    std::function<void(SceneBuilder&, const vec3&)> lamp;
+    float distance;  // from the origin
+  };
+  const auto addLamp = [&](SceneBuilder& b, const vec3& o) {
+    const auto c = tilted(o + vec3(0, 0, 2), 0.5f, true);
+    b.quad(c[0], c[1], c[2], c[3]);
+  };
+  const auto addFlatLamp = [](SceneBuilder& b, const vec3& o) {
+    b.quad(o + vec3(-0.5f, -0.4f, 2), o + vec3(-0.6f, 0.5f, 2), o + vec3(0.5f, 0.6f, 2), o + vec3(0.4f, -0.5f, 2));
+  };
+  const std::vector<Case> cases{
+      {"quad",
+       [&](SceneBuilder& b, const vec3& o) {
+         const auto c = tilted(o + vec3(0, 0, 2), 3, false);
+         b.quad(c[0], c[1], c[2], c[3]);
+       },
+       addLamp, 0},
+      {"plane",
+       [&](SceneBuilder& b, const vec3& o) {
+         const auto c = tilted(o + vec3(0, 0, 2), 3, false);
+         b.plane(c[0], c[1], c[2]);
+       },
+       addLamp, 1000},
+      {"box", [](SceneBuilder& b, const vec3& o) { b.box(o + vec3(-3, -3, 2), o + vec3(3, 3, 3)); }, addFlatLamp, 0},
+      {"sphere", [](SceneBuilder& b, const vec3& o) { b.sphere(o + vec3(0, 0, 2), 0.5f); },
+       [](SceneBuilder& b, const vec3& o) { b.sphere(o + vec3(0, 0, 2), 0.5f); }}};
+  onBothTracers([&](const RenderFunction& renderScene) {
+    for (const Case& c : cases) {
+      const vec3 o(c.distance, -c.distance, 0.5f * c.distance);
+      enum Order { lampOnly, lampFirst, ceilingFirst };
+      const auto mean = [&](Order order, bool nextEventEstimation, const vec3& at) {
+        SceneBuilder b;
+        b.view(o + vec3(0, -0.5f, 1), o + at, {0, 1, 0}, 60);
+        b.material(diffuseMaterial(vec3(0.5f)));
+        b.quad(o + vec3(-5, -5, 0), o + vec3(5, -5, 0), o + vec3(5, 5, 0), o + vec3(-5, 5, 0));
+        if (order == ceilingFirst) c.ceiling(b, o);
+        b.material(diffuseMaterial(vec3(0), vec3(3)));
+        c.lamp(b, o);
+        b.material(diffuseMaterial(vec3(0.5f)));
+        if (order == lampFirst) c.ceiling(b, o);
+        render::RenderSettings settings = settingsOf(16, 512);
+        settings.image.maxDepth = 2;
+        settings.image.nextEventEstimation = nextEventEstimation;
+        return meanLuminance(renderScene(b.scene, settings).film);
+      };
+      CAPTURE(c.name);
+      const vec3 up(0.1f, 0, 2), down(0.1f, 0, 0);
+      const double seen = mean(lampOnly, true, up);
+      const double lit = mean(lampOnly, true, down);
+      CHECK(mean(lampFirst, true, up) == Approx(seen).epsilon(0.01));
+      CHECK(mean(ceilingFirst, true, up) == Approx(seen).epsilon(0.01));
+      CHECK(mean(ceilingFirst, true, down) == Approx(lit).epsilon(0.01));
+      CHECK(mean(ceilingFirst, false, down) == Approx(lit).epsilon(0.03));
+    }
+  });
+}
+
 TEST_CASE("an emitter that exists twice gives the light of one, with and without next-event estimation") {
   const std::vector<std::pair<std::string, std::function<void(SceneBuilder&, int)>>> lamps{
       {"quad",

@@ -77,6 +77,20 @@ TEST_CASE("flat surfaces of every kind that overlap in one plane are found, at a
   CHECK(copyCount(found) == 0);
 }
 
+TEST_CASE("what does not emit is behind the emitters with which it coincides") {
+  SceneBuilder b = grey();
+  b.quad({-4, -4, 3}, {4, -4, 3}, {4, 4, 3}, {-4, 4, 3});      // 0, 1
+  b.quad({-1, -1, 3}, {-2, -1, 3}, {-2, -2, 3}, {-1, -2, 3});  // 2, 3: a decal beside the lamp
+  b.quad({-4, -4, 3}, {4, -4, 3}, {4, 4, 3}, {-4, 4, 3});      // 4, 5: copies of the ceiling
+  b.sphere({9, 0, 0}, 2).sphere({60, 0, 0}, 2);                // 6, 7
+  b.material(diffuseMaterial(vec3(0), vec3(1)));
+  b.triangle({1, 1, 3}, {2, 1, 3}, {1, 2, 3}).sphere({9, 0, 0}, -2);  // 8, 9
+  const Coincidences found = findCoincidences(b.scene);
+  // The diagonal of the ceiling from (-4, -4) to (4, 4) divides the lamp.
+  CHECK(found.behind == std::vector<bool>{true, true, false, false, true, true, true, false, false, false});
+  CHECK(found.behindReach == 11);
+}
+
 TEST_CASE("parallel planes with a gap above the tolerance do not coincide") {
   for (const float coordinate : {1.0f, 10.0f, 1000.0f}) {
     SceneBuilder b = grey();
