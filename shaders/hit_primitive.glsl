@@ -12,7 +12,7 @@ struct PrimitiveHit {
   uint index;  // primitive index in the scene, and kIndexBehind
 };
 
-// What is known of a primitive where its test is compiled.
+// Callers state what they know of the primitive, so that less code is compiled.
 const uint kAnyPrimitive = 0u;
 const uint kFinitePrimitive = 1u;
 const uint kInfinitePlane = 2u;
