@@ -67,14 +67,18 @@ uint uniformKind(uint slot) {
 
 uint knownOfUniformSlot(uint slot) { return slot < kFirstMarkedSlot ? kApartPrimitive : kAnyPrimitive; }
 
-uvec4[3] rowsOfUniformSlot(uint slot) {
+// The rules for coincident surfaces branch on records, which therefore must not be uniform.
+uvec4[3] rowsOfUniformSlot(Ray ray, uint slot) {
   uint row = slot * kPrimitiveRows;
-  return uvec4[3](slotRow(row), slotRow(row + 1u), slotRow(row + 2u));
+  uvec4 rows[3] = uvec4[3](slotRow(row), slotRow(row + 1u), slotRow(row + 2u));
+  if (slot < kFirstMarkedSlot) return rows;
+  uint zero = 0u - zeroOfLane(ray);
+  return uvec4[3](rows[0] | zero, rows[1] | zero, rows[2] | zero);
 }
 
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
   [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
-    uvec4 rows[3] = rowsOfUniformSlot(slot);
+    uvec4 rows[3] = rowsOfUniformSlot(ray, slot);
     keepCloser(hit, comparedHit(ray, slot, rows, uniformKind(slot), knownOfUniformSlot(slot)), slot);
   }
   work.steps += kUniformSlots;
@@ -83,7 +87,7 @@ void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
 bool anyOfUniform(Ray ray, RayEnd end, inout Work work) {
   bool blocked = false;
   [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
-    uvec4 rows[3] = rowsOfUniformSlot(slot);
+    uvec4 rows[3] = rowsOfUniformSlot(ray, slot);
     blocked = blocked ||
               (slot != end.light && rowsHide(ray, slot, rows, uniformKind(slot), end, knownOfUniformSlot(slot)));
   }

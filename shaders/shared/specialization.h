@@ -16,7 +16,7 @@ CANDELA_CONST uint kSpecTexels = 22u;     // the scene is read through the texel
 CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecUniformSlots = 27u;     // primitives whose records are in the uniform buffer; 0: none
-CANDELA_CONST uint kSpecFirstMarkedSlot = 96u;  // of these, the first that may coincide with another
+CANDELA_CONST uint kSpecFirstMarkedSlot = 97u;  // of these, the first that may coincide with another
 CANDELA_CONST uint kSpecRowsAhead = 28u;        // these records are read before anything else
 // Ids from 40 on belong to the Whitted tracer.
 CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
