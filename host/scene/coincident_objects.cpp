@@ -38,6 +38,11 @@ std::string counted(std::uint64_t count, const char* word, const std::string& no
   return fmt::format("{} {} {}", count, word, count == 1 ? noun : plural(noun));
 }
 
+// Returns "node Floor", but "node.3" for a node without a name.
+std::string named(const std::string& kind, const std::string& name) {
+  return name.starts_with(kind + '.') ? name : fmt::format("{} {}", kind, name);
+}
+
 class Counting {
  public:
   explicit Counting(const Scene& scene) : scene_(scene), objects_(objectsOf(scene)) {}
@@ -114,9 +119,10 @@ std::string toText(const CoincidentObjects& o) {
   const auto others = [&](std::uint64_t count) {
     if (o.isOne) return fmt::format("{} of the same {}", counted(count, "other", o.firstNoun), kind);
     const char* const another = o.first == o.second ? "another " : "";
-    return fmt::format("{} of {}{} {}", counted(count, o.firstNoun), another, kind, o.first);
+    return fmt::format("{} of {}{}", counted(count, o.firstNoun), another, named(kind, o.first));
   };
-  std::string text = fmt::format("{} of {} {} ", counted(copies > 0 ? copies : overlaps, o.secondNoun), kind, o.second);
+  std::string text = fmt::format("{} of {} ", counted(copies > 0 ? copies : overlaps, o.secondNoun),
+                                 named(kind, o.second));
   if (copies > 0) text += fmt::format("{} with {}", copies == 1 ? "coincides" : "coincide", others(o.copies.first));
   if (overlaps == 0) return text;
   const char* const verb = overlaps == 1 ? "overlaps" : "overlap";

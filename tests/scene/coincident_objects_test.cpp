@@ -42,6 +42,12 @@ TEST_CASE("nodes whose surfaces coincide are named with the numbers of their tri
   CHECK(coincidentObjects(b.scene).primitiveCount == 6u);
 }
 
+TEST_CASE("the word node does not stand before a name that begins with it") {
+  Squares b;
+  b.square("node.7", 0, 4).square("node.8", 0, 4);
+  CHECK(linesOf(b.scene) == std::vector<std::string>{"2 triangles of node.8 coincide with 2 triangles of node.7"});
+}
+
 TEST_CASE("an object whose surfaces coincide with each other, and another one of its name, are told apart") {
   Squares b;
   b.square("Floor", 0, 4).quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0});
