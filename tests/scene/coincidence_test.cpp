@@ -196,16 +196,23 @@ TEST_CASE("the search finds what a comparison of all pairs finds, on any number 
   CHECK(again.coincident == found.coincident);
 }
 
-TEST_CASE("large meshes are compared in parts, by several threads") {
-  // Both sizes are above those of the parts of the search.
-  SceneBuilder b = grey();
-  addGrid(b, 100, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
-  addGrid(b, 100, {0.04f, 0.03f, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
-  addGrid(b, 100, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
-  const Coincidences found = findCoincidences(b.scene, 4);
-  CHECK(copyCount(found) == 20000);
-  CHECK(std::count(found.coincident.begin(), found.coincident.end(), true) == 60000);
-  CHECK(found.overlaps == findCoincidences(b.scene, 1).overlaps);
+TEST_CASE("large meshes are compared in parts, which find every pair") {
+  // The number of pairs of two grids is a polynomial of degree 2 of their side: pairs inside, at edges and at corners.
+  const auto pairCount = [](int side, std::uint32_t threads) {
+    SceneBuilder b = grey();
+    addGrid(b, side, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
+    addGrid(b, side, {0.04f, 0.03f, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
+    addGrid(b, side, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
+    const Coincidences found = findCoincidences(b.scene, threads);
+    CHECK(copyCount(found) == std::size_t(2 * side * side));
+    return static_cast<std::int64_t>(found.overlaps.size());
+  };
+  // Grids of the first three sides are within one part, that of the last one is not.
+  const std::int64_t at10 = pairCount(10, 1), at20 = pairCount(20, 1), at30 = pairCount(30, 1);
+  const std::int64_t expected = at10 + 9 * (at20 - at10) + 36 * (at30 - 2 * at20 + at10);
+  CHECK(at10 > 400);
+  CHECK(pairCount(100, 1) == expected);
+  CHECK(pairCount(100, 4) == expected);
 }
 
 TEST_CASE("thousands of planes through a large mesh do not take long") {
