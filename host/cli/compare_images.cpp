@@ -51,7 +51,7 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));
   }
   if (isApart && !(arguments.differenceFile.empty() && arguments.flipFile.empty() && arguments.report.empty())) {
-    log.note("pictures in different places have no picture of their difference, and no report; none is written");
+    log.note("without common pixels there is no picture of the difference, and no report; none is written");
   }
   if (pair.badSamples() > 0) log.problem(fmt::format("the files contain {} bad samples", pair.badSamples()));
   return strictly(exitCodeOf(pair.verdict.conclusion(), arguments), pair.badSamples(), arguments, log);

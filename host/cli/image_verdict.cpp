@@ -63,7 +63,7 @@ verify::Conclusion ImageVerdict::conclusion() const {
 }
 
 std::string ImageVerdict::sentence() const {
-  if (!whyApart.empty()) return "The pictures are in different places: " + whyApart + ".";
+  if (!whyApart.empty()) return "The pictures cannot be compared pixel by pixel: " + whyApart + ".";
   std::string text;
   if (tolerance) {
     text = fmt::format("relMSE is {} the tolerance of {:g}", withinTolerance ? "within" : "NOT within", *tolerance);

@@ -22,6 +22,7 @@
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/core/progress.h"
+#include "host/core/standard_output.h"
 #include "host/render/adaptive_summary.h"
 
 namespace candela::cli {
@@ -63,6 +64,10 @@ image::Image imageOf(const RenderJob& job, const render::RenderResult& result, c
 bool writePictures(const RenderJob& job, const render::RenderResult& result, const Log& log) try {
   if (!job.arguments.outputs.empty()) writeImages(imageOf(job, result, log), job.arguments, log);
   return true;
+} catch (const StdoutError& error) {
+  // Whoever closed the pipe needs no message.
+  if (!isStdoutAbandoned()) log.problem(error.what());
+  return false;
 } catch (const FileError& error) {
   log.problem(error.what());
   return false;

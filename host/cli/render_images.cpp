@@ -12,6 +12,7 @@
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
 #include "host/core/hash_text.h"
+#include "host/core/standard_output.h"
 #include "host/core/version.h"
 #include "host/image/cryptomatte.h"
 #include "host/image/false_colour.h"
@@ -106,13 +107,19 @@ void writeImages(image::Image image, const Arguments& arguments, const Log& log)
     if (std::ranges::any_of(arguments.outputs, image::isEightBit)) log.note(falseColourKey(display));
   }
   std::vector<std::string> failures;
+  bool stdoutFailed = false;
   for (const auto& file : arguments.outputs) {
     try {
       writeImage(file, image, display);
+    } catch (const StdoutError&) {
+      stdoutFailed = true;
     } catch (const FileError& error) {
       failures.emplace_back(error.what());
     }
   }
+  // Alone, it is thrown as it is: whoever closed a pipe needs no message.
+  if (stdoutFailed && failures.empty()) throw StdoutError();
+  if (stdoutFailed) failures.emplace_back(StdoutError().what());
   if (!failures.empty()) throw FileError(fmt::format("{}", fmt::join(failures, "\n")));
 }
 

@@ -1,6 +1,8 @@
 // Starts the threads, and stores the first exception.
 #include "host/core/run_on_threads.h"
 
+#include <algorithm>
+#include <atomic>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -56,6 +58,26 @@ void runOnThreads(std::uint32_t count, const Work& work) {
     guarded.run(0);
   }
   guarded.rethrow();
+}
+
+void forEachOnThreads(std::uint32_t threadCount, std::size_t count,
+                      const std::function<void(std::uint32_t thread, std::size_t i)>& work) {
+  std::atomic<std::size_t> next = 0;
+  const auto takeAll = [&](std::uint32_t thread, const std::stop_token& stop) {
+    for (std::size_t i = next++; i < count && !stop.stop_requested(); i = next++) work(thread, i);
+  };
+  runOnThreads(static_cast<std::uint32_t>(std::clamp<std::size_t>(count, 1, threadCount)), takeAll);
+}
+
+std::uint32_t threadCountFor(std::uint32_t asked) {
+  return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
+}
+
+void forEachBlock(std::uint32_t threadCount, std::size_t count,
+                  const std::function<void(std::size_t begin, std::size_t end)>& work) {
+  constexpr std::size_t kBlockSize = 1u << 14;
+  forEachOnThreads(threadCount, (count + kBlockSize - 1) / kBlockSize,
+                   [&](std::uint32_t, std::size_t i) { work(i * kBlockSize, std::min((i + 1) * kBlockSize, count)); });
 }
 
 }  // namespace candela

@@ -54,6 +54,22 @@ void addTargets(const Value& primitive, std::span<const double> weights, const V
   }
 }
 
+/// Lists what targets move although the primitive lacks it, against section 3.7.2.2 of the specification: attributes
+/// that are rendered otherwise, of targets whose weight is not 0.
+std::vector<std::string> surplusTargets(const Value& primitive, const VertexSource& source,
+                                        std::span<const double> weights) {
+  std::vector<std::string> surplus;
+  const std::optional<Value> targets = primitive.find("targets");
+  for (std::size_t i = 0; targets && i < targets->size() && i < weights.size(); ++i) {
+    if (weights[i] == 0) continue;
+    for (const char* name : {"NORMAL", "TANGENT", "TEXCOORD_0", "TEXCOORD_1", "COLOR_0"}) {
+      const std::optional<Value> reference = (*targets)[i].find(name);
+      if (reference && !source.attribute(name)) surplus.push_back(reference->pointer());
+    }
+  }
+  return surplus;
+}
+
 /// Colours are clamped to [0, 1] after morph targets have moved them: sections 3.7.2.1 and 3.7.2.2 of the
 /// specification.
 void clampColours(std::vector<glm::vec4>& colours) {
@@ -119,6 +135,7 @@ std::optional<Geometry> readGeometry(const Value& primitive, const GeometryUse& 
   if (use.isSkinned) geometry.influences = readInfluences(source, vertices);
   addTargets(primitive, use.morphWeights, vertices, accessors, mesh);
   clampColours(mesh.colours);
+  geometry.surplusTargets = surplusTargets(primitive, source, use.morphWeights);
   return geometry;
 }
 

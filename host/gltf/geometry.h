@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "host/gltf/vertex_source.h"
@@ -18,6 +19,8 @@ struct Influences {
 struct Geometry {
   scene::Mesh mesh;  ///< its normals may have any length, 0 included
   Influences influences;
+  /// JSON pointers of attributes of morph targets that are left out, since the primitive lacks the attribute.
+  std::vector<std::string> surplusTargets;
 };
 
 /// glTF's `mode`: triangles 4, strips 5, fans 6; 0 to 3 are points and lines.

@@ -175,6 +175,9 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
     log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
     return;
   }
+  for (const std::string& pointer : geometry->surplusTargets) {
+    log_.warn("targets", {}, pointer + " is left out: the primitive has no such attribute that the target could move");
+  }
   ++counts_["primitive"];
   const std::uint32_t material = materialOf(primitive);
   noteAlpha(geometry->mesh, material);

@@ -6,8 +6,13 @@
 namespace candela::image {
 
 std::string whyApart(const Image& a, const Image& b) {
-  if (frameOf(a) != frameOf(b)) {
-    return fmt::format("A has the frame {} and B the frame {}", boxText(frameOf(a)), boxText(frameOf(b)));
+  const PixelBox frameOfA = frameOf(a), frameOfB = frameOf(b);
+  if (frameOfA != frameOfB && frameOfA.x == frameOfB.x && frameOfA.y == frameOfB.y) {
+    return fmt::format("A has the size {}x{} and B the size {}x{}", frameOfA.width, frameOfA.height, frameOfB.width,
+                       frameOfB.height);
+  }
+  if (frameOfA != frameOfB) {
+    return fmt::format("A has the frame {} and B the frame {}", boxText(frameOfA), boxText(frameOfB));
   }
   const PixelBox inA = windowOf(a), inB = windowOf(b);
   if (inA.contains(inB) || inB.contains(inA)) return "";

@@ -43,6 +43,10 @@ class MemoryInput : public Imf::IStream {
   std::uint64_t position_ = 0;
 };
 
+[[noreturn]] void refuseDeepFile() {
+  throw FileError("deep EXR files are not read; flatten the file, for example by oiiotool --flatten");
+}
+
 /// Checks the header before OpenEXR reads it: deep files and files of several parts are refused, since their decoders
 /// are the largest part of OpenEXR, and OpenEXR trusts the size of an attribute, up to 2 GiB, before it looks for the
 /// bytes.
@@ -52,7 +56,7 @@ void checkHeader(ByteView bytes) {
   ByteCursor cursor(bytes);
   cursor.take(4);  // magic number
   const std::uint32_t flags = cursor.takeWord();
-  if ((flags & kDeep) != 0) throw FileError("deep EXR files are not read");
+  if ((flags & kDeep) != 0) refuseDeepFile();
   if ((flags & kMultiPart) != 0)
     throw FileError("EXR files of several parts are not read; extract one, for example by oiiotool --subimage");
   while (!cursor.takeUntil(isNul).empty()) {  // an empty name ends the header
@@ -133,7 +137,7 @@ Image decode(ByteView bytes, ImageParts parts) {
   MemoryInput input(bytes);
   Imf::InputFile file(input, kNoExrThreads);
   const Imf::Header& header = file.header();
-  if (header.hasType() && Imf::isDeepData(header.type())) throw FileError("deep EXR files are not read");
+  if (header.hasType() && Imf::isDeepData(header.type())) refuseDeepFile();
   const Imath::Box2i window = checkedWindow(header);
 
   Image image;

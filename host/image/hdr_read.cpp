@@ -71,7 +71,9 @@ void multiplyExposure(std::string_view name, std::string_view value, Header& hea
 void takeVariable(std::string_view line, Header& header) {
   const std::size_t equals = std::min(line.find('='), line.size());
   const std::string_view name = line.substr(0, equals), value = line.substr(std::min(equals + 1, line.size()));
-  if (name == "FORMAT" && value != "32-bit_rle_rgbe") refuse("only 32-bit_rle_rgbe is read");
+  if (name == "FORMAT" && value != "32-bit_rle_rgbe") {
+    throw FileError(fmt::format("HDR files of the format {} are not read, only those of 32-bit_rle_rgbe", value));
+  }
   if (name == "EXPOSURE" || name == "COLORCORR") multiplyExposure(name, value, header);
   if (name == "GAMMA" && takeNumbers(value, 1).value_or(std::vector{0.0})[0] != 1) {
     header.warnings.push_back(fmt::format("GAMMA={} is ignored", value));

@@ -1,5 +1,6 @@
 // Images in memory and image files.
 #pragma once
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -10,10 +11,33 @@
 #include <vector>
 
 #include "host/image/film.h"
-#include "host/image/pixel_box.h"
 #include "host/image/texels.h"
 
 namespace candela::image {
+
+/// A rectangle of pixels in the plane of a picture: columns from `x` and rows from `y`, which count downwards. The
+/// edges fit in 32 bits with a sign.
+struct PixelBox {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+
+  bool isEmpty() const { return width <= 0 || height <= 0; }
+  bool contains(const PixelBox& box) const {
+    return box.x >= x && box.y >= y && box.x + box.width <= x + width && box.y + box.height <= y + height;
+  }
+  bool operator==(const PixelBox&) const = default;
+};
+
+/// Returns the pixels that are in both; isEmpty() if there are none.
+inline PixelBox intersection(const PixelBox& a, const PixelBox& b) {
+  const std::int64_t x = std::max(a.x, b.x), y = std::max(a.y, b.y);
+  return {x, y, std::min(a.x + a.width, b.x + b.width) - x, std::min(a.y + a.height, b.y + b.height) - y};
+}
+
+/// Returns "X,Y,WIDTH,HEIGHT", as --crop takes it.
+std::string boxText(const PixelBox& box);
 
 /// Values of a named channel, one for each pixel, row by row from the top. If `isId` is true, the bits of the values
 /// are integers or hashes, and only their equality has a meaning.
@@ -136,7 +160,5 @@ enum class ImageParts {
 /// pixels are divided by the file's EXPOSURE and COLORCORR, and PFM pixels multiplied by the scale. Colours of other
 /// primaries are converted to Rec. 709.
 Image readImage(const std::filesystem::path& file, ImageParts parts = ImageParts::picture);
-/// Returns the pixels of readImage() as sRGB signals of 8 bits, over black.
-Pixels8 readPixels8(const std::filesystem::path& file);
 
 }  // namespace candela::image

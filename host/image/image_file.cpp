@@ -93,6 +93,4 @@ Image readImage(const fs::path& file, ImageParts parts) {
   }
 }
 
-Pixels8 readPixels8(const fs::path& file) { return toPixels8(readImage(file), {}); }
-
 }  // namespace candela::image

@@ -80,6 +80,7 @@ ImageComparison compareImages(const Image& a, const Image& reference, const Diff
   result.width = a.width;
   result.height = a.height;
   result.tolerance = tolerance;
+  result.maximumX = a.origin.x, result.maximumY = a.origin.y;
   Sums sums;
   for (std::uint32_t y = 0; y < a.height; ++y) {
     for (std::uint32_t x = 0; x < a.width; ++x) {

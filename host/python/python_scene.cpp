@@ -27,11 +27,7 @@ using Loaded = std::shared_ptr<PythonScene>;
 Loaded finish(scene::LoadedScene loaded, cli::Arguments arguments, const Log& log) {
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
-  std::string report = jsonText(toJson(scene::makeReport(loaded)));
-  std::vector<std::filesystem::path> files = std::move(loaded.files);
-  auto scene = std::make_shared<const scene::Scene>(std::move(loaded.scene));
-  return std::make_shared<PythonScene>(
-      PythonScene{std::move(scene), std::move(arguments), std::move(report), std::move(files)});
+  return std::make_shared<PythonScene>(std::move(loaded), std::move(arguments));
 }
 
 /// Runs `read` without the GIL, and passes its messages on.
@@ -110,6 +106,19 @@ py::str sceneText(const PythonScene& scene) {
 
 }  // namespace
 
+PythonScene::PythonScene(scene::LoadedScene loaded, cli::Arguments arguments)
+    : loading(std::move(arguments)), loaded_(std::make_shared<const scene::LoadedScene>(std::move(loaded))) {
+  scene = std::shared_ptr<const scene::Scene>(loaded_, &loaded_->scene);
+}
+
+py::object PythonScene::report() const {
+  {
+    const py::gil_scoped_release released;
+    std::call_once(isReported_, [&] { report_ = jsonText(toJson(scene::makeReport(*loaded_))); });
+  }
+  return fromJson(report_);
+}
+
 cli::Arguments PythonScene::complete(cli::Arguments arguments) const {
   arguments.files = loading.files;
   arguments.loadOptions = loading.loadOptions;
@@ -132,7 +141,7 @@ void defineScene(py::module_& module) {
                .c_str())
       .def_property_readonly("name", [](const PythonScene& scene) { return textOf(scene.scene->name); })
       .def_property_readonly("hash", [](const PythonScene& scene) { return hashText(scene.scene->hash); })
-      .def_property_readonly("report", [](const PythonScene& scene) { return fromJson(scene.report); })
+      .def_property_readonly("report", &PythonScene::report)
       .def("__repr__", &sceneText);
   module.def("load", &load, py::arg("file"), py::pos_only(),
              ("load(file, /, **options) -> Scene\n\nReads a scene: glTF, P3F or NFF.\n\n" + options).c_str());

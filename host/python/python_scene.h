@@ -3,23 +3,36 @@
 #include <pybind11/pybind11.h>
 
 #include <memory>
+#include <mutex>
 #include <string>
 
 #include "host/cli/render_job.h"
 #include "host/python/python_log.h"
+#include "host/scene/load.h"
 
 namespace candela::python {
 
 /// A scene with the options with which it was read, which films record. Renders share it.
-struct PythonScene {
-  std::shared_ptr<const scene::Scene> scene;
-  cli::Arguments loading;                    ///< files, loadOptions and the names of these options
-  std::string report;                        ///< JSON, as `candela check` writes it
-  std::vector<std::filesystem::path> files;  ///< that were read: the scene's own, and those that it names
+class PythonScene {
+ public:
+  PythonScene(scene::LoadedScene loaded, cli::Arguments arguments);
 
+  std::shared_ptr<const scene::Scene> scene;
+  cli::Arguments loading;  ///< files, loadOptions and the names of these options
+
+  /// Files that were read: the scene's own, and those that it names.
+  const std::vector<std::filesystem::path>& files() const { return loaded_->files; }
+  /// Returns JSON, as `candela check` writes it. The first call computes it, without the GIL, since that takes a second
+  /// for millions of triangles.
+  pybind11::object report() const;
   /// Returns `arguments` with the file and the options of the scene.
   cli::Arguments complete(cli::Arguments arguments) const;
   cli::RenderJob jobOf(const cli::Arguments& arguments, const Log& log) const;
+
+ private:
+  std::shared_ptr<const scene::LoadedScene> loaded_;
+  mutable std::once_flag isReported_;
+  mutable std::string report_;
 };
 
 void defineScene(pybind11::module_& module);

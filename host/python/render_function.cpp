@@ -27,13 +27,13 @@ Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watc
   if (traced.isFilmLost) throw FileError(arguments.checkpoint.string() + ": the film could not be written");
   if (!traced.result.interrupted) watch.report(1, traced.result.statistics.samples);
   const film::WorkReport work = traced.work.value_or(film::workOf(traced.result.statistics));
-  return filmOf(job, scene.files, std::move(traced.result), std::move(traced.header), work, monotonicSeconds() - start,
-                log);
+  return filmOf(job, scene.files(), std::move(traced.result), std::move(traced.header), work,
+                monotonicSeconds() - start, log);
 }
 
 Film render(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
   const cli::Arguments arguments = argumentsOf(kRenderOptions, options);
-  requireSeparate(arguments, scene.files);
+  requireSeparate(arguments, scene.files());
   PythonLog log;
   const std::optional<film::FilmLock> lock = lockCheckpoint(arguments, log);
   Film film;

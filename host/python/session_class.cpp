@@ -65,7 +65,7 @@ Shared prepare(const PythonScene& scene, const py::kwargs& options) {
   auto shared = std::make_shared<SharedSession>();
   auto log = std::make_shared<PythonLog>();
   runWatched([&](const Watch&) {
-    shared->session = std::make_unique<PythonSession>(renderJobOf(scene, arguments, *log), scene.files, log);
+    shared->session = std::make_unique<PythonSession>(renderJobOf(scene, arguments, *log), scene.files(), log);
   });
   log->passOn();
   return shared;

@@ -18,7 +18,8 @@ Cone withSortedEnds(Cone cone);
 /// Returns for each primitive the lowest index of one that has the same shape: triangles with the same vertices in any
 /// order, equal boxes and planes, spheres with the same centre and the same radius apart from its sign, and cones with
 /// the same ends in either order. It is the primitive's own index if there is no lower one.
-std::vector<std::uint32_t> firstCopies(const Scene& scene);
+/// With 0 threads, there is one per core.
+std::vector<std::uint32_t> firstCopies(const Scene& scene, std::uint32_t threads = 0);
 
 /// Surfaces that coincide. Indices are those of Scene::primitives.
 struct Coincidences {
@@ -28,8 +29,8 @@ struct Coincidences {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
   /// For each primitive whether another one is a copy of it or overlaps it in one plane.
   std::vector<bool> coincident;
-  /// Whether the search ended before all pairs were compared. `overlaps` is then incomplete, and `coincident` is true
-  /// for every flat primitive.
+  /// Whether the search ended before all pairs were compared. `overlaps` is then empty, and `coincident` is true for
+  /// every flat primitive. It depends on the scene alone.
   bool truncated = false;
   /// For each primitive whether it does not emit, and an emitter is a copy of it or overlaps it in one plane.
   std::vector<bool> behind;
@@ -39,7 +40,8 @@ struct Coincidences {
   bool any() const;
 };
 
-/// Searches in O(n log n) for meshes in which few boxes of triangles overlap; the number of comparisons is limited.
-Coincidences findCoincidences(const Scene& scene);
+/// Searches in O(n log n) for meshes in which few boxes of triangles overlap; the work is limited. With 0 threads,
+/// there is one per core. The result does not depend on their number.
+Coincidences findCoincidences(const Scene& scene, std::uint32_t threads = 0);
 
 }  // namespace candela::scene

@@ -9,14 +9,6 @@
 namespace candela::scene {
 namespace {
 
-std::string kindName(PrimitiveKind kind) {
-#define CANDELA_NAME_KIND(entry, feature, name, value, flag) \
-  if (kind == PrimitiveKind::entry) return #entry;
-  CANDELA_PRIMITIVE_KINDS(CANDELA_NAME_KIND)
-#undef CANDELA_NAME_KIND
-  return "object";
-}
-
 std::size_t countOf(const Scene& scene, image::MatteKind kind) {
   return kind == image::MatteKind::object ? std::max<std::size_t>(scene.objectStarts.size(), 1)
                                           : scene.materials.size();
@@ -52,6 +44,14 @@ std::vector<std::string> namesOf(const Scene& scene, const image::Film& film, im
 }
 
 }  // namespace
+
+std::string kindName(PrimitiveKind kind) {
+#define CANDELA_NAME_KIND(entry, feature, name, value, flag) \
+  if (kind == PrimitiveKind::entry) return #entry;
+  CANDELA_PRIMITIVE_KINDS(CANDELA_NAME_KIND)
+#undef CANDELA_NAME_KIND
+  return "object";
+}
 
 std::string objectName(const Scene& scene, std::size_t object) {
   if (!scene.objectNames.empty()) return scene.objectNames[object];

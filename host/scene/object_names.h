@@ -12,6 +12,8 @@
 
 namespace candela::scene {
 
+/// Returns a noun: "sphere", "triangle", "box", "cone" or "plane".
+std::string kindName(PrimitiveKind kind);
 /// Returns the name that the file states, or else one that follows from the index: the kind of the first primitive and
 /// the index of the object, as `sphere.3`, or `material.3`. A scene that states no objects is one, `scene`.
 std::string objectName(const Scene& scene, std::size_t object);

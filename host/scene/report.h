@@ -38,7 +38,7 @@ struct SceneReport {
   std::optional<Bounds> bounds;  ///< as boundsOf() returns them
   Lights lights;
   Materials materials;
-  std::vector<CoincidentObjects> coincident;
+  CoincidenceReport coincident;
   std::optional<Camera> camera;
   glm::vec3 background{0, 0, 0};
   std::optional<std::uint32_t> skySide;  ///< maximum side of a face of the sky box, in texels

@@ -83,7 +83,6 @@ std::string lightsText(const SceneReport::Lights& lights) {
 }  // namespace
 
 std::string toText(const SceneReport& r) {
-  constexpr std::size_t kListedPairs = 8;
   const auto& [spheres, triangles, boxes, cones, planes] = r.primitives;
   const auto& lights = r.lights;
   const auto& materials = r.materials;
@@ -101,12 +100,7 @@ std::string toText(const SceneReport& r) {
        fmt::format("{}: diffuse {}, glossy {}, mirror {}, dielectric {}, mixture {}, surface {}, black {}; {} emit",
                    materials.total(), materials.diffuse, materials.glossy, materials.mirror, materials.dielectric,
                    materials.mixture, materials.surface, materials.black, materials.emitting));
-  for (std::size_t i = 0; i < std::min(r.coincident.size(), kListedPairs); ++i) {
-    line("coincident", toText(r.coincident[i]));
-  }
-  if (r.coincident.size() > kListedPairs) {
-    line("coincident", fmt::format("and {} more pairs of objects (see --json)", r.coincident.size() - kListedPairs));
-  }
+  for (const std::string& value : linesOf(r.coincident)) line("coincident", value);
   line("camera", r.camera ? toText(*r.camera) : "none");
   if (r.filmScale > 0) line("film scale", fmt::format("2^{}, because of strong lights", r.filmScale));
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
@@ -123,9 +117,11 @@ json toJson(const SceneReport& r) {
   const auto bounds = [](const Bounds& b) { return json{{"min", toJson(b.min)}, {"max", toJson(b.max)}}; };
   const auto camera = [](const Camera& c) { return toJson(c); };
   json coincident = json::array();
-  for (const CoincidentObjects& pair : r.coincident) {
-    coincident.push_back(
-        {{"objects", {pair.first, pair.second}}, {"copies", pair.copies}, {"overlaps", pair.overlaps}});
+  for (const CoincidentObjects& pair : r.coincident.pairs) {
+    coincident.push_back({{"objects", {pair.first, pair.second}},
+                          {"oneObject", pair.isOne},
+                          {"copies", pair.copies.second},
+                          {"overlaps", pair.overlaps.second}});
   }
   return {
       {"scene", r.name},
@@ -160,6 +156,7 @@ json toJson(const SceneReport& r) {
         {"black", r.materials.black},
         {"emitting", r.materials.emitting}}},
       {"coincident", coincident},
+      {"coincidentPrimitives", orNull(r.coincident.primitiveCount, same)},
       {"camera", orNull(r.camera, camera)},
       {"background", toJson(r.background)},
       {"skySide", orNull(r.skySide, same)},

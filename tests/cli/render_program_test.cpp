@@ -5,6 +5,7 @@
 
 #include "host/image/image.h"
 #include "tests/cli/run_program.h"
+#include "tests/image/read_pixels8.h"
 
 namespace candela {
 namespace {
@@ -32,6 +33,18 @@ TEST_CASE("a render writes all requested images, and PNG is EXR through the disp
   REQUIRE(image.height == 12);
   CHECK(pixels.rgb == toPixels8(image, {image::ToneMap::aces, 1}).rgb);
   CHECK(*std::max_element(pixels.rgb.begin(), pixels.rgb.end()) > 0);
+}
+
+TEST_CASE("an EXR file of a crop has the pixels of the crop in the frame of the full image") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  const std::string exr = folder.path("a.exr");
+  const ProgramResult result = runCandela({scene, "-o", exr, "--device", "cpu", "--spp", "1", "--crop", "3,2,5,7"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  const image::Image image = image::readImage(exr);
+  CHECK(boxText(windowOf(image)) == "3,2,5,7");
+  CHECK(boxText(frameOf(image)) == "0,0,16,12");
 }
 
 TEST_CASE("an EXR file describes how it was rendered") {

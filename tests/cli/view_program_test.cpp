@@ -3,6 +3,7 @@
 
 #include "host/image/image.h"
 #include "tests/cli/run_program.h"
+#include "tests/image/read_pixels8.h"
 
 namespace candela {
 namespace {

@@ -10,6 +10,7 @@
 #include "host/generate/stored_png.h"
 #include "host/image/image.h"
 #include "tests/generate/generated_text.h"
+#include "tests/image/read_pixels8.h"
 #include "tests/scene/triangles.h"
 
 namespace candela::generate {

@@ -199,6 +199,28 @@ TEST_CASE("morph targets add to normals and to the directions of tangents, whose
   for (const glm::vec4& tangent : mesh.tangents) CHECK(tangent.w == -1);
 }
 
+TEST_CASE("a morph target's attribute that the primitive lacks is named in a warning, if its weight is not 0") {
+  GltfFile file = triangleFile();
+  file.primitive()["targets"] = {{{"POSITION", file.positions({0, 0, 1, 0, 0, 2, 0, 0, 3})},
+                                  {"COLOR_0", file.vectors({1, 1, 1, 1, 1, 1, 1, 1, 1}, "VEC3", 3)}},
+                                 {{"TEXCOORD_1", file.vectors({0, 1, 0, 0, 0, 0}, "VEC2", 2)}}};
+  file.root["meshes"][0]["weights"] = {0, 0};
+  CHECK(load(file).warnings.empty());
+  file.root["meshes"][0]["weights"] = {0.5, 0};
+  CHECK(warns(load(file), "/meshes/0/primitives/0/targets/0/COLOR_0 is left out: the primitive has no such attribute"));
+  CHECK(sceneOf(file).meshes.at(0).positions[2] == glm::vec3(0, 1, 1.5f));
+  CHECK(sceneOf(file).meshes.at(0).colours.empty());
+  file.root["meshes"][0]["weights"] = {0, 1};
+  CHECK(warns(load(file), "/targets/1/TEXCOORD_1 is left out"));
+  for (const char* name : {"NORMAL", "TANGENT", "TEXCOORD_0"}) {
+    GltfFile other = triangleFile();
+    other.primitive()["targets"] = {{{name, other.positions({0, 0, 1, 0, 0, 2, 0, 0, 3})}}};
+    other.root["meshes"][0]["weights"] = {1};
+    CAPTURE(name);
+    CHECK(warns(load(other), std::string("/targets/0/") + name + " is left out"));
+  }
+}
+
 TEST_CASE("quantised positions are scaled by their node") {
   GltfFile file;
   const std::size_t positions = file.accessor<std::int16_t>({0, 0, 0, 0, 32767, 0, 0, 0, 0, -32768, 0, 0}, kShort,

@@ -63,5 +63,5 @@ TEST_CASE("windows that do not contain each other, and other frames, are apart")
   other.frame = PixelBox{1, 0, 8, 6};
   CHECK(whyApart(a, other) == "A has the frame 0,0,8,6 and B the frame 1,0,8,6");
   other.frame.reset();  // the frame of files without windows is their size
-  CHECK(whyApart(a, other) == "A has the frame 0,0,8,6 and B the frame 0,0,4,4");
+  CHECK(whyApart(a, other) == "A has the size 8x6 and B the size 4x4");
 }

@@ -1,12 +1,17 @@
 // Image files as other programs write them.
 #include <OpenEXR/ImfChannelList.h>
+#include <OpenEXR/ImfDeepFrameBuffer.h>
+#include <OpenEXR/ImfDeepScanLineOutputFile.h>
 #include <OpenEXR/ImfFrameBuffer.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
+#include <OpenEXR/ImfPartType.h>
 #include <OpenEXR/ImfRgbaFile.h>
 #include <OpenEXR/ImfTiledRgbaFile.h>
 #include <jpeglib.h>
 #include <png.h>
 
+#include <array>
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -17,6 +22,7 @@
 #include "host/core/input_file.h"
 #include "host/image/image.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/image/read_pixels8.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;
@@ -234,6 +240,35 @@ TEST_CASE("an EXR file of luminance alone is grey, one with chroma is refused") 
   CHECK(image.at(3, 1).y == image.at(3, 1).x);
   CHECK(image.at(3, 1).z == image.at(3, 1).x);
   CHECK_THROWS_WITH(readImage(folder / "chroma.exr"), Catch::Contains("luminance and chroma"));
+}
+
+TEST_CASE("deep EXR files and those of several parts are refused by name") {
+  TemporaryFolder folder;
+  Imf::Header header(2, 1);
+  header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
+  header.compression() = Imf::ZIPS_COMPRESSION;
+  header.setType(Imf::DEEPSCANLINE);
+  {
+    std::array<unsigned, 2> counts{1, 1};
+    std::array<float, 2> depths{3, 4};
+    std::array<char*, 2> samples{reinterpret_cast<char*>(&depths[0]), reinterpret_cast<char*>(&depths[1])};
+    Imf::DeepFrameBuffer pixels;
+    pixels.insertSampleCountSlice({Imf::UINT, reinterpret_cast<char*>(counts.data()), sizeof(unsigned), 8});
+    pixels.insert("Z", {Imf::FLOAT, reinterpret_cast<char*>(samples.data()), sizeof(char*), 16, sizeof(float)});
+    Imf::DeepScanLineOutputFile file((folder / "deep.exr").c_str(), header);
+    file.setFrameBuffer(pixels);
+    file.writePixels(1);
+  }
+  CHECK_THROWS_WITH(readImage(folder / "deep.exr"),
+                    Catch::Contains("deep.exr\": deep EXR files are not read") && Catch::Contains("--flatten"));
+  header.setType(Imf::SCANLINEIMAGE);
+  std::array<Imf::Header, 2> parts{header, header};
+  parts[0].setName("left");
+  parts[1].setName("right");
+  { const Imf::MultiPartOutputFile file((folder / "parts.exr").c_str(), parts.data(), 2); }
+  CHECK_THROWS_WITH(
+      readImage(folder / "parts.exr"),
+      Catch::Contains("parts.exr\": EXR files of several parts are not read") && Catch::Contains("--subimage"));
 }
 
 TEST_CASE("channels of integers are ids, whose bits are preserved, and subsampled channels are named") {

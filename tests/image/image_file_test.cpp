@@ -6,6 +6,7 @@
 #include "host/image/image.h"
 #include "host/image/texels.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/image/read_pixels8.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;

@@ -57,7 +57,7 @@ class Compare(ImageFileTest):
             code, report = self.compare("a.exr", other)
             self.assertEqual(code, 3)
             self.assertIs(report["agrees"], False)
-            self.assertIn("the frame 0,0,16,17", report["apart"])
+            self.assertIn("the size 16x17", report["apart"])
 
     def test_layers(self):
         self.make("a.exr", "--chnames", "R,G,B,N.X,N.Y,variance.Y", "-d", "float", channels=6)

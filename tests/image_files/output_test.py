@@ -92,6 +92,19 @@ class Output(ImageFileTest):
         self.assertEqual(result.returncode, 2)
         self.assertIn("cannot write to stdout", result.stderr)
 
+    def test_a_closed_pipe(self):
+        """Whoever closed the pipe needs no message, and other files are written."""
+        for target in ("-", "-.exr", "-.hdr"):
+            ours, theirs = os.pipe()
+            os.close(ours)
+            result = subprocess.run([PROGRAM, "a.p3f", "--device", "cpu", "--spp", "1", "-q", "-o", target, "-o", "beside.pfm"],
+                                    cwd=self.folder, stdout=theirs, stderr=subprocess.PIPE, text=True)
+            os.close(theirs)
+            self.assertEqual(result.returncode, 2, target)
+            self.assertEqual(result.stderr, "", target)
+            self.assertTrue((self.folder / "beside.pfm").exists())
+            (self.folder / "beside.pfm").unlink()
+
     def test_terminals_are_refused(self):
         ours, theirs = pty.openpty()
         result = subprocess.run([PROGRAM, "a.p3f", "--device", "cpu", "-o", "-"], cwd=self.folder, stdout=theirs,

@@ -78,6 +78,23 @@ class Reading(ImageFileTest):
         self.assertEqual(colour, [1.0, 2.0, 3.0])
         self.assertIn('one.exr: the file has no channels R, G and B; those of its layer "a" are read', messages)
 
+    def test_kinds_of_files_that_are_refused(self):
+        """Each is refused by name with exit code 2, as an environment and in a comparison."""
+        self.oiiotool("--create", "8x4", "3", "-d", "float", "-o", "a.exr")
+        deep = bytearray((self.folder / "a.exr").read_bytes())
+        deep[5] |= 8  # the flag of deep pixels
+        (self.folder / "deep.exr").write_bytes(deep)
+        self.oiiotool("--create", "8x4", "3", "--chnames", "Y,RY,BY", "-o", "chroma.exr")
+        (self.folder / "xyze.hdr").write_bytes(b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n\x80\x80\x80\x81")
+        for file, message in (("deep.exr", "deep EXR files are not read"), ("chroma.exr", "luminance and chroma"),
+                              ("xyze.hdr", "HDR files of the format 32-bit_rle_xyze are not read")):
+            for words in (("a.p3f", "--env", file, "--device", "cpu", "-o", "seen.exr"), ("compare", file, file)):
+                result = self.candela(*words)
+                self.assertEqual(result.returncode, 2, words)
+                self.assertIn(f"cannot read \"{file}\": ", result.stderr)
+                self.assertIn(message, result.stderr)
+        self.assertFalse((self.folder / "seen.exr").exists())
+
     def test_pixels_that_are_not_finite(self):
         with open(self.path("a.pfm"), "wb") as file:
             file.write(b"Pf\n4 2\n-1.0\n" + struct.pack("<8f", 1, float("inf"), 1, 1, 1, float("nan"), 1, 1))

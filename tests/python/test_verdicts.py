@@ -71,7 +71,7 @@ class Verdicts(FolderTest):
                 candela.compare(film, wrong)
         cut = candela.compare(film, film.image[:5])
         self.assertIs(cut.agrees, False)
-        self.assertIn("different places", cut.verdict)
+        self.assertIn("pixel by pixel", cut.verdict)
         self.assertTrue(candela.compare(film, film.image, tolerance=0, channels=["R", "G", "B"]))
 
 

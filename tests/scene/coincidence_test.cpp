@@ -1,8 +1,12 @@
 // The search for surfaces that exist twice or overlap in one plane.
 #include "host/scene/coincidence.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <random>
 
+#include "host/scene/flat_surface.h"
+#include "host/scene/shape.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -33,6 +37,48 @@ void addGrid(SceneBuilder& b, int side, const vec3& corner, const vec3& u, const
   for (int x = 0; x < side; ++x) {
     for (int y = 0; y < side; ++y) b.quad(at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1));
   }
+}
+
+// Compares all pairs of flat parts.
+std::vector<Pair> overlapsByBruteForce(const scene::Scene& scene, const std::vector<std::uint32_t>& firstCopy) {
+  std::vector<scene::FlatSurface> parts;
+  for (std::uint32_t i = 0; i < firstCopy.size(); ++i) {
+    if (firstCopy[i] != i) continue;
+    std::vector<scene::FlatSurface> own(scene::flatPartCount(scene.primitives[i].kind));
+    const std::size_t count = scene::storeFlatParts(shapeOf(scene, scene.primitives[i]), i, own);
+    parts.insert(parts.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  std::vector<Pair> pairs;
+  for (std::size_t a = 0; a < parts.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      if (parts[a].primitive == parts[b].primitive || !overlapInPlane(parts[a], parts[b])) continue;
+      pairs.emplace_back(std::minmax(parts[a].primitive, parts[b].primitive));
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+// Triangles, boxes and planes in few planes, of sizes that differ by a factor of a thousand, some of them twice.
+SceneBuilder crowd(std::uint32_t seed) {
+  std::mt19937 numbers(seed);
+  const auto random = [&](float scale) { return std::uniform_real_distribution<float>(-scale, scale)(numbers); };
+  const auto whole = [&](int end) {
+    return static_cast<float>(std::uniform_int_distribution<int>(0, end - 1)(numbers));
+  };
+  SceneBuilder b = grey();
+  for (int i = 0; i < 700; ++i) {
+    const vec3 corner(random(9), random(9), whole(4));
+    const float size = std::pow(10.0f, random(1.5f) - 1);
+    const vec3 u = size * vec3(random(1), random(1), whole(2) * random(1)), v = size * vec3(random(1), random(1), 0);
+    b.triangle(corner, corner + u, corner + v);
+    if (i % 50 == 0) b.triangle(corner + u, corner + v, corner);
+    if (i % 25 == 0) b.box(corner, corner + vec3(size, size, 1 + whole(2)));
+    if (i % 100 == 0) b.plane(vec3(0, 0, whole(4)) + random(5), corner + u, corner + v);
+    if (i % 150 == 0) b.plane(vec3(random(5), 0, whole(4)), {0, 1, corner.z}, {1, 0, corner.z});
+  }
+  return b;
 }
 
 }  // namespace
@@ -145,6 +191,63 @@ TEST_CASE("a search that would compare too many pairs ends and counts every flat
   b.sphere({5, 5, 5}, 1);
   const Coincidences found = findCoincidences(b.scene);
   CHECK(found.truncated);
+  CHECK(found.overlaps.empty());
   CHECK(std::count(found.coincident.begin(), found.coincident.end(), true) == 30000);
   CHECK_FALSE(found.coincident[30000]);
+}
+
+TEST_CASE("the search finds what a comparison of all pairs finds, on any number of threads") {
+  const auto seed = GENERATE(1u, 2u, 3u, 4u);
+  const SceneBuilder b = crowd(seed);
+  const Coincidences found = findCoincidences(b.scene, 1);
+  CAPTURE(seed);
+  CHECK(found.overlaps.size() > 100);
+  CHECK(copyCount(found) == 14);
+  CHECK(found.overlaps == overlapsByBruteForce(b.scene, found.firstCopy));
+  const Coincidences again = findCoincidences(b.scene, 5);
+  CHECK(again.firstCopy == found.firstCopy);
+  CHECK(again.overlaps == found.overlaps);
+  CHECK(again.coincident == found.coincident);
+}
+
+TEST_CASE("large meshes are compared in parts, which find every pair") {
+  // The number of pairs of two grids is a polynomial of degree 2 of their side: pairs inside, at edges and at corners.
+  const auto pairCount = [](int side, std::uint32_t threads) {
+    SceneBuilder b = grey();
+    addGrid(b, side, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
+    addGrid(b, side, {0.04f, 0.03f, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
+    addGrid(b, side, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
+    const Coincidences found = findCoincidences(b.scene, threads);
+    CHECK(copyCount(found) == std::size_t(2 * side * side));
+    return static_cast<std::int64_t>(found.overlaps.size());
+  };
+  // Grids of the first three sides are within one part, that of the last one is not.
+  const std::int64_t at10 = pairCount(10, 1), at20 = pairCount(20, 1), at30 = pairCount(30, 1);
+  const std::int64_t expected = at10 + 9 * (at20 - at10) + 36 * (at30 - 2 * at20 + at10);
+  CHECK(at10 > 400);
+  CHECK(pairCount(100, 1) == expected);
+  CHECK(pairCount(100, 4) == expected);
+}
+
+TEST_CASE("thousands of planes through a large mesh do not take long") {
+  SceneBuilder b = grey();
+  addGrid(b, 200, {0, 0, 0.5f}, {0.1f, 0, 0}, {0, 0.1f, 0.01f});
+  for (int i = 0; i < 3000; ++i)
+    b.plane({0, 0, 0.01f * static_cast<float>(i)}, {1, 0, 0.01f * static_cast<float>(i)},
+            {0, 1, 0.01f * static_cast<float>(i)});
+  b.quad({0, 0, 0.25f}, {1, 0, 0.25f}, {1, 1, 0.25f}, {0, 1, 0.25f});
+  const Coincidences found = findCoincidences(b.scene);
+  CHECK_FALSE(found.truncated);
+  CHECK(found.overlaps == std::vector<Pair>{{80025, 83000}, {80025, 83001}});
+}
+
+TEST_CASE("a search that would compare too many planes ends and counts every plane") {
+  SceneBuilder b = grey();
+  for (int i = 0; i < 10000; ++i) {
+    const float height = static_cast<float>(i);
+    b.plane({0, 0, height}, {1, 0, height}, {0, 1, height});
+  }
+  const Coincidences found = findCoincidences(b.scene);
+  CHECK(found.truncated);
+  CHECK(std::count(found.coincident.begin(), found.coincident.end(), true) == 10000);
 }
