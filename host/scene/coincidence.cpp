@@ -142,16 +142,16 @@ void markCoincident(const Scene& scene, Coincidences& result) {
   for (const auto& [a, b] : result.overlaps) result.coincident[a] = result.coincident[b] = true;
 }
 
-float largest(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+float reachOf(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 struct LargestCoordinate {
-  float operator()(const Sphere& s) const { return largest(s.centre) + std::abs(s.radius); }
-  float operator()(const Triangle& t) const { return std::max({largest(t.p[0]), largest(t.p[1]), largest(t.p[2])}); }
-  float operator()(const Box& box) const { return std::max(largest(box.min), largest(box.max)); }
+  float operator()(const Sphere& s) const { return reachOf(s.centre) + std::abs(s.radius); }
+  float operator()(const Triangle& t) const { return std::max({reachOf(t.p[0]), reachOf(t.p[1]), reachOf(t.p[2])}); }
+  float operator()(const Box& box) const { return std::max(reachOf(box.min), reachOf(box.max)); }
   float operator()(const Cone& c) const {
-    return std::max(largest(c.base), largest(c.apex)) + std::max(c.baseRadius, c.apexRadius);
+    return std::max(reachOf(c.base), reachOf(c.apex)) + std::max(c.baseRadius, c.apexRadius);
   }
-  float operator()(const Plane& plane) const { return largest(plane.p[0]); }
+  float operator()(const Plane& plane) const { return reachOf(plane.p[0]); }
 };
 
 // Marks surfaces that are behind emitters. Copies share the marks that their first copy has.
