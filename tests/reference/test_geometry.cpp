@@ -103,6 +103,24 @@ TEST_CASE("a ray that starts on another primitive in a triangle's or plane's pla
   CHECK(plane.distance(start(1e-9, 7)) == Approx(1e-9).epsilon(1e-5));
 }
 
+TEST_CASE("the plane in which a ray starts is as uncertain as the larger coordinates, of the ray or of the plane") {
+  const auto check = [](const vec3& first, const vec3& second, const vec3& third, const dvec2& at) {
+    const TriangleShape triangle(scene::Triangle{{first, second, third}});
+    const PlaneShape plane(scene::Plane{{first, second, third}});
+    const auto start = [&](double below) {
+      Ray ray = rayOf({at.x, at.y, -below}, {0, 0, 1});
+      ray.originPrimitive = 7;
+      return ray;
+    };
+    CHECK(triangle.distance(start(1e-8)) == kNoHit);
+    CHECK(plane.distance(start(1e-8)) == kNoHit);
+    CHECK(triangle.distance(start(1e-5)) == Approx(1e-5));
+    CHECK(plane.distance(start(1e-5)) == Approx(1e-5));
+  };
+  check({0, 0, 0}, {1e6f, 0, 0}, {0, 1e6f, 0}, {4e5, 4e5});
+  check({1e6f, 1e6f, 0}, {-1e6f, 1e6f, 0}, {0, -1e6f, 0}, {0.125, 0.125});
+}
+
 TEST_CASE("a reflection on the common edge of two triangles does not hit the second one") {
   const TriangleShape first(scene::Triangle{{vec3(-9, -9, 0), vec3(9, -9, 0), vec3(9, 9, 0)}}),
       second(scene::Triangle{{vec3(-9, -9, 0), vec3(9, 9, 0), vec3(-9, 9, 0)}});

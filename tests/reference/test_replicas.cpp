@@ -95,3 +95,27 @@ TEST_CASE("the lean of replicas is the signed sum of differences: rounding alone
   CHECK(magnitude > 0);
   CHECK(std::abs(lean) < 0.3 * magnitude);
 }
+
+TEST_CASE("a rug on an inclined floor of 1000 times its size makes no light a matter of rounding") {
+  // The vertices of both are rounded by up to 6e-5. Without the tolerance of the floor, replicas would hit the floor
+  // below the rug.
+  const auto at = [](double x, double y) { return vec3(glm::dvec3(x, y, 0.723456789 * x - 0.6456789123 * y)); };
+  render::RenderSettings settings;
+  settings.image.size = {16, 16};
+  settings.image.sampleCount = 8;
+  settings.execution.replicas = 1;
+  for (int i = 0; i < 8; ++i) {
+    SceneBuilder b;
+    b.scene.background = vec3(1);
+    b.material(test::diffuseMaterial(vec3(0.5f)));
+    b.quad(at(-1000.3 - 9 * i, -907.1), at(1003.7, -1100.9), at(1104.1, 1000.3 + 7 * i), at(-1001.9, 1000.7));
+    b.triangle(at(-2, -1.3), at(1.7, -1.1), at(0.3, 2.1));
+    b.view(vec3(-0.7f, 0.65f, 1) * 3.0f, {0, 0, 0}, {0, 1, 0}, 25);
+    const auto session = reference::makeReferenceRenderer()->prepare(b.scene, settings);
+    session->advance({0, settings.image.sampleCount}, {});
+    double magnitude = 0;
+    for (const render::Deviation& deviation : session->replicas().deviations) magnitude += deviation.magnitude[3];
+    CAPTURE(i);
+    CHECK(magnitude < 1e-5 * 16 * 16 * settings.image.sampleCount);
+  }
+}

@@ -286,6 +286,61 @@ TEST_CASE("glass of ior 1.5 on a table loses no light and has no volume faults, 
   });
 }
 
+TEST_CASE("planes that exist twice hide the sky from others, at any angle and at any distance") {
+  onBothTracers([](const RenderFunction& renderScene) {
+    const auto mean = [&](const vec3& from, const vec3& p0, const vec3& p1, const vec3& p2) {
+      SceneBuilder b;
+      b.scene.background = vec3(1);
+      b.view(from, {from.x, from.y, 0}, {0, 1, 0}, 20);
+      b.material(diffuseMaterial(vec3(0.5f)))
+          .plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0})
+          .plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+      b.material(diffuseMaterial(vec3(0))).plane(p0, p1, p2).plane(p0, p1, p2);
+      return meanLuminance(renderScene(b.scene, settingsOf(16, 64)).film);
+    };
+    CHECK(mean({2, 0, 1}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}) == Approx(0.25).epsilon(0.02));
+    CHECK(mean({0, 0, 0.5f}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}) == 0);
+  });
+}
+
+TEST_CASE("an acceleration structure finds a table at once, although rounding puts it before the ray") {
+  const auto addFiller = [](SceneBuilder& b, const Placed& p) {
+    for (int i = 0; i < 40; ++i) b.sphere(p.at(0.1f * static_cast<float>(i), 9, -9), 0.02f * p.size);
+  };
+  onBothTracers([&](const RenderFunction& renderScene) {
+    render::RenderSettings settings = settingsOf(8, 16);
+    for (const render::AccelKind accel : {render::AccelKind::bvh, render::AccelKind::grid}) {
+      settings.structure.accel = accel;
+      CAPTURE(static_cast<int>(accel));
+      SceneBuilder block;
+      const Placed here{{0.3f, -0.7f, 0.1f}, 1};
+      block.scene.background = vec3(1);
+      block.view(here.at(0.3f, -2, 3), here.at(0, 0, 0.5f), {0, 0, 1}, 4);
+      block.material(glassMaterial(vec3(1), 1)).box(here.at(-1, -1, 0), here.at(1, 1, 1));
+      addFiller(block, here);
+      block.material(diffuseMaterial(vec3(0)));
+      block.quad(here.at(-10, -10, 0), here.at(10, -10, 0), here.at(10, 10, 0), here.at(-10, 10, 0));
+      CHECK(meanLuminance(renderScene(block.scene, settings).film) < 2e-3);
+
+      // From far away, rays hit a pane of 2 km, whose vertices are rounded by up to 6e-5, or the black rug on it.
+      for (int i = 0; i < 6; ++i) {
+        const Placed p{vec3(0), 1};
+        SceneBuilder b;
+        b.scene.background = vec3(1);
+        b.view({100, 10.0f * static_cast<float>(i), 900}, onIncline(p, 0, 0), {0, 1, 0}, 0.01f);
+        b.material(glassMaterial(vec3(1), 1));
+        b.triangle(onIncline(p, -1000.3 - 9 * i, -907.1), onIncline(p, 1103.7, -1000.9),
+                   onIncline(p, 4.1, 1000.3 + 7 * i));
+        addFiller(b, p);
+        b.material(diffuseMaterial(vec3(0)))
+            .triangle(onIncline(p, -2, -1.3), onIncline(p, 1.7, -1.1), onIncline(p, 0.3, 2.1));
+        CAPTURE(i);
+        CHECK(meanLuminance(renderScene(b.scene, settings).film) < 2e-3);
+      }
+    }
+  });
+}
+
 TEST_CASE("glass of one material that exists twice counts once") {
   const std::vector<std::pair<std::string, std::function<void(SceneBuilder&, int)>>> bodies{
       {"sphere",

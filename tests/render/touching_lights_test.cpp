@@ -197,6 +197,59 @@ TEST_CASE("a small panel illuminates a large floor from its light in a distance 
 
 namespace {
 
+// Returns how many of 64 pixels of a panel the light illuminates. The panel is in front of the surface, at the distance
+// 2 from the light.
+int litPixels(const RenderFunction& renderScene, const std::function<void(SceneBuilder&)>& addSurface,
+              const glm::dvec3& light, const glm::dvec3& normal) {
+  const glm::dvec3 front = glm::normalize(normal);
+  const glm::dvec3 u = glm::normalize(glm::cross(front, glm::dvec3(0.3, 0.5, -0.4)));
+  const glm::dvec3 v = glm::cross(front, u);
+  const auto at = [&](double x, double y, double height) { return vec3(light + x * u + y * v + height * front); };
+  SceneBuilder b;
+  b.view(at(0, 0, 1), at(0, 0, 2), vec3(u), 40);
+  b.material(test::diffuseMaterial(vec3(0.8f))).quad(at(-1, -1, 2), at(1, -1, 2), at(1, 1, 2), at(-1, 1, 2));
+  addSurface(b);
+  addPointLight(b, vec3(light));
+  render::RenderSettings settings = directLight();
+  settings.image.size = {8, 8};
+  return compare(renderScene(b.scene, settings).film, image::Film(8, 8)).lit;
+}
+
+}  // namespace
+
+TEST_CASE("the margin of a plane has the coordinates of the light, and that of a triangle those of its vertices") {
+  const auto on = [](double x, double y) { return glm::dvec3(x, y, 0.3 * x - 0.2 * y); };
+  const glm::dvec3 normal(-0.3, 0.2, 1);
+  onBothTracers([&](const RenderFunction& renderScene) {
+    for (int i = 0; i < 12; ++i) {
+      CAPTURE(i);
+      const auto addPlane = [&](SceneBuilder& b) { b.plane(vec3(0), vec3(on(1, 0)), vec3(on(0, 1))); };
+      CHECK(litPixels(renderScene, addPlane, on(1000.3 + 7.1 * i, 507.7 - 3.3 * i), normal) == 64);
+      const auto addTriangle = [&](SceneBuilder& b) {
+        b.triangle(vec3(on(-1000.1, -907.7 - i)), vec3(on(1100.3, -807.1)), vec3(on(3.3 * i, 1207.9)));
+      };
+      CHECK(litPixels(renderScene, addTriangle, on(0.13 + 0.1 * i, 0.07 * i), normal) == 64);
+    }
+  });
+}
+
+TEST_CASE("the margin of an oblique surface is that of its axes, and the margin of a cone is along its normal") {
+  const auto addOblique = [](SceneBuilder& b) { b.triangle({9, -3, -3}, {-3, 9, -3}, {-3, -3, 9}); };
+  const auto addCone = [](SceneBuilder& b) { b.cone({0, 0, -4}, 8, {0, 0, 0}, 0); };
+  onBothTracers([&](const RenderFunction& renderScene) {
+    // |n.x| + |n.y| + |n.z| = 1.73, and the largest coordinate is 9.
+    const auto depth = [](double margins) { return glm::dvec3(1) * (1 - margins * 9 * 0x1p-19 / std::sqrt(3.0)); };
+    CHECK(litPixels(renderScene, addOblique, depth(1.4), glm::dvec3(1)) == 64);
+    CHECK(litPixels(renderScene, addOblique, depth(2.2), glm::dvec3(1)) == 0);
+    // The slope is 2, and the largest coordinate plus the radius is 12.
+    const auto radius = [](double margins) { return glm::dvec3(2 - margins * 12 * 0x1p-19, 0, -1); };
+    CHECK(litPixels(renderScene, addCone, radius(1.7), {1, 0, 2}) == 64);
+    CHECK(litPixels(renderScene, addCone, radius(2.8), {1, 0, 2}) == 0);
+  });
+}
+
+namespace {
+
 // A room whose walls are polygons at x, y = +-4, with a ball and a box, lit by lights on a wall, in a corner and on the
 // ball, and by a panel in the ceiling.
 scene::Scene room() {

@@ -160,6 +160,44 @@ TEST_CASE("a rug whose vertices are rounded to other numbers than those of its f
   }
 }
 
+TEST_CASE("rugs near the origin lie in the plane of a floor whose distant vertices are rounded by more than theirs") {
+  const auto onFloor = [](double x, double y) { return vec3(glm::dvec3(x, y, 0.723456789 * x - 0.6456789123 * y)); };
+  for (int i = 0; i < 8; ++i) {
+    for (const bool floorFirst : {false, true}) {
+      SceneBuilder b = grey();
+      const auto addFloor = [&] {
+        b.triangle(onFloor(-1000.3 - 9 * i, -907.1), onFloor(1103.7, -1000.9), onFloor(4.1, 1000.3 + 7 * i));
+      };
+      if (floorFirst) addFloor();
+      b.triangle(onFloor(-0.2, -0.13), onFloor(0.17, -0.11), onFloor(0.03, 0.21));
+      if (!floorFirst) addFloor();
+      CAPTURE(i, floorFirst);
+      CHECK(findCoincidences(b.scene).coincident == std::vector<bool>{true, true});
+    }
+  }
+}
+
+TEST_CASE(
+    "a rug above a level floor by half of the tolerance lies in its plane, and by twice the tolerance it does not") {
+  const auto coincide = [](float tolerances) {
+    SceneBuilder b = grey();
+    const float z = 1000 * 0x1p-21f * tolerances;
+    b.triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
+    b.triangle({-1, -1, z}, {1, -1, z}, {0, 1, z});
+    return findCoincidences(b.scene).any();
+  };
+  CHECK(coincide(0.5f));
+  CHECK_FALSE(coincide(2));
+}
+
+TEST_CASE("planes at an angle or at a distance do not coincide") {
+  SceneBuilder b = grey();
+  b.plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0})
+      .plane({0, 0, 0}, {0, 0, 1}, {0, 1, 0})
+      .plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
+  CHECK_FALSE(findCoincidences(b.scene).any());
+}
+
 TEST_CASE("neighbours in a flat mesh, in a closed box and at an acute edge do not coincide") {
   SceneBuilder b = grey();
   addGrid(b, 40, {0.1f, 0.2f, 0.3f}, {0.1f, 0.017f, 0.003f}, {-0.02f, 0.1f, 0.011f});
