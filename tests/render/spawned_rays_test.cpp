@@ -3,10 +3,13 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <random>
 #include <string>
 
+#include "spirv/origin_leaf.h"
 #include "tests/reference/scene_builder.h"
 #include "tests/render/both_tracers.h"
+#include "tests/render/run_leaf.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -65,16 +68,16 @@ void addHiddenWasher(SceneBuilder& b, float hole, float depth) {
 
 }  // namespace
 
-TEST_CASE("hits at 10^4 from the camera are put back onto their surface") {
+TEST_CASE("hits at 1.6 * 10^4 from the camera are put back onto their surface") {
   // The distance has an error of 1e-3. A ray that starts that far below the floor hits what is hidden there.
   onBothTracers([](const RenderFunction& renderScene) {
     for (const Floor& floor : floors()) {
       // The directions of one view are nearly equal, and rounding may happen to be exact for them.
-      for (int i = 0; i < 6; ++i) {
+      for (int i = 0; i < 12; ++i) {
         SceneBuilder b = underWhiteSky();
-        b.view({1000, 3000.0f - 700.0f * static_cast<float>(i), 9000}, {0, 0, 0}, {0, 1, 0}, 1e-5f);
+        b.view({1000, 4500.0f - 50.0f * static_cast<float>(i), 15900}, {0, 0, 0}, {0, 1, 0}, 1e-6f);
         floor.add(b);
-        addHiddenWasher(b, 0.002f, 2e-5f);
+        addHiddenWasher(b, 0.006f, 2e-5f);
         CAPTURE(floor.name, i);
         CHECK(wrongPixels(renderScene, b.scene, 16) == 0);
       }
@@ -83,9 +86,8 @@ TEST_CASE("hits at 10^4 from the camera are put back onto their surface") {
 }
 
 TEST_CASE("no ray hits the neighbours in a flat mesh of triangles of a few roundings") {
-  // The mesh is exactly flat. Just above 256 and 128, coordinates are multiples of 2^-15 and 2^-16. For the normal
-  // (2, 2, 3), the error of a position and that of moving it add up to more than half of the distance by which origins
-  // are moved.
+  // The mesh, whose normal is (2, 2, 3), is exactly flat: just above 256 and 128, coordinates are multiples of 2^-15
+  // and 2^-16.
   constexpr float kStep = 0x1p-15f;
   const vec3 corner(258, 257, 131);
   constexpr int kCount = 12;
@@ -102,4 +104,37 @@ TEST_CASE("no ray hits the neighbours in a flat mesh of triangles of a few round
     b.view(corner + height * vec3(2, 2.5f, 3), corner, {0, 1, 0}, 5);
     CHECK(wrongPixels(renderScene, b.scene, 64) == 0);
   });
+}
+
+TEST_CASE("the device moves origins by more than the rounding of two positions") {
+  // Both the point on the surface and the origin are rounded by up to half a unit in the last place of each coordinate.
+  struct Start {
+    glm::vec4 position, normal, direction;
+  };
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> uniform;
+  std::vector<Start> starts;
+  std::vector<glm::dvec3> points, normals;
+  const auto addPlane = [&](const glm::dvec3& centre, const glm::dvec3& unitNormal) {
+    for (int i = 0; i < 1000; ++i) {
+      const glm::dvec3 offset(uniform(random), uniform(random), uniform(random));
+      points.push_back(centre + 0.01 * (offset - dot(offset, unitNormal) * unitNormal));
+      normals.push_back(i % 2 == 0 ? unitNormal : -unitNormal);
+      starts.push_back({glm::vec4(points.back(), 0), glm::vec4(unitNormal, 0), glm::vec4(normals.back(), 0)});
+    }
+  };
+  addPlane({257.9, 257.1, 130.8}, glm::normalize(glm::dvec3(-0.485, -0.493, -0.722)));
+  addPlane({525.1, 512.2, 515.9}, glm::normalize(glm::dvec3(-0.457, 0.748, -0.482)));
+  for (int i = 0; i < 200; ++i) {
+    const glm::dvec3 centre(1 + uniform(random), 1 + uniform(random), 1 + uniform(random));
+    addPlane(512.0 * centre, glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+  }
+  const auto count = static_cast<std::uint32_t>(starts.size());
+  const auto origins = runLeaf<glm::vec4>(spirv::origin_leaf, starts, count, {count, 0});
+  int behind = 0;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    behind += dot(glm::dvec3(origins[i]) - points[i], normals[i]) <= 0;
+  }
+  CHECK(behind == 0);
 }

@@ -195,6 +195,7 @@ TEST_CASE("planes at an angle or at a distance do not coincide") {
   b.plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0})
       .plane({0, 0, 0}, {0, 0, 1}, {0, 1, 0})
       .plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
+  b.plane({0, 0, 0}, {1, 0, 1e-6f}, {0, 1, 0});
   CHECK_FALSE(findCoincidences(b.scene).any());
 }
 
