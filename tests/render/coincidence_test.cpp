@@ -304,34 +304,49 @@ TEST_CASE("planes that exist twice hide the sky from others, at any angle and at
 }
 
 TEST_CASE("an acceleration structure finds a table at once, although rounding puts it before the ray") {
-  const auto addFiller = [](SceneBuilder& b, const Placed& p) {
-    for (int i = 0; i < 40; ++i) b.sphere(p.at(0.1f * static_cast<float>(i), 9, -9), 0.02f * p.size);
+  // Many small quads, so that nodes of the structure contain nothing else.
+  const auto addTiles = [](SceneBuilder& b, const Placed& p, float z) {
+    const auto at = [&](int i, int j) {
+      return p.at(0.125f * static_cast<float>(i), 0.125f * static_cast<float>(j), z);
+    };
+    for (int i = -8; i < 8; ++i) {
+      for (int j = -8; j < 8; ++j) b.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+    }
   };
   onBothTracers([&](const RenderFunction& renderScene) {
     render::RenderSettings settings = settingsOf(8, 16);
     for (const render::AccelKind accel : {render::AccelKind::bvh, render::AccelKind::grid}) {
       settings.structure.accel = accel;
       CAPTURE(static_cast<int>(accel));
+      // Products of distances below 2 and directions are rounded coarsely above the table.
       SceneBuilder block;
       const Placed here{{0.3f, -0.7f, 0.1f}, 1};
       block.scene.background = vec3(1);
-      block.view(here.at(0.3f, -2, 3), here.at(0, 0, 0.5f), {0, 0, 1}, 4);
-      block.material(glassMaterial(vec3(1), 1)).box(here.at(-1, -1, 0), here.at(1, 1, 1));
-      addFiller(block, here);
+      block.view(here.at(0.3f, -2.6f, 11), here.at(0, 0, 1), {0, 0, 1}, 4);
+      block.material(glassMaterial(vec3(1), 1)).box(here.at(-1, -1, 0), here.at(1, 1, 1.95f));
       block.material(diffuseMaterial(vec3(0)));
-      block.quad(here.at(-10, -10, 0), here.at(10, -10, 0), here.at(10, 10, 0), here.at(-10, 10, 0));
+      addTiles(block, {here.centre, 10}, 0);
       CHECK(meanLuminance(renderScene(block.scene, settings).film) < 2e-3);
 
-      // From far away, rays hit a pane of 2 km, whose vertices are rounded by up to 6e-5, or the black rug on it.
-      const auto at = [](double x, double y) { return vec3(glm::dvec3(x, y, 0.723456789 * x - 0.6456789123 * y)); };
+      // Of two surfaces below a pane, a ray hits the lower index, another pane, and then the table above that.
+      SceneBuilder panes;
+      panes.scene.background = vec3(1);
+      panes.view({0.3f, 0.2f, 3}, {0.3f, 0.2f, 0}, {0, 1, 0}, 10);
+      panes.material(glassMaterial(vec3(1), 1)).triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
+      panes.material(glassMaterial(vec3(0.9f), 1));
+      panes.triangle({-1000, -1000, -2e-4f}, {1000, -1000, -2e-4f}, {0, 1000, -2e-4f});
+      panes.material(diffuseMaterial(vec3(0)));
+      addTiles(panes, {vec3(0), 1}, -1e-4f);
+      CHECK(meanLuminance(renderScene(panes.scene, settings).film) < 2e-3);
+
+      // From far away, rays hit a pane of 2 km or the black rug that is above it by less than the tolerance.
       for (int i = 0; i < 8; ++i) {
         SceneBuilder b;
         b.scene.background = vec3(1);
-        b.view({-650, 580.0f + 10.0f * static_cast<float>(i), 900}, at(0, 0), {0, 1, 0}, 0.003f);
-        b.material(glassMaterial(vec3(1), 1));
-        b.triangle(at(-1000.3 - 9 * i, -907.1), at(1103.7, -1000.9), at(4.1, 1000.3 + 7 * i));
-        addFiller(b, {vec3(0), 1});
-        b.material(diffuseMaterial(vec3(0))).triangle(at(-0.2, -0.13), at(0.17, -0.11), at(0.03, 0.21));
+        b.view({1000, 4500.0f - 50.0f * static_cast<float>(i), 16300}, {0, 0, 0}, {0, 1, 0}, 1e-4f);
+        b.material(glassMaterial(vec3(1), 1)).triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
+        b.material(diffuseMaterial(vec3(0)));
+        addTiles(b, {vec3(0), 1}, 3e-5f);
         CAPTURE(i);
         CHECK(meanLuminance(renderScene(b.scene, settings).film) < 2e-3);
       }
