@@ -328,7 +328,7 @@ TEST_CASE("an acceleration structure finds a table at once, although rounding pu
       addTiles(block, {here.centre, 10}, 0);
       CHECK(meanLuminance(renderScene(block.scene, settings).film) < 2e-3);
 
-      // Of two surfaces below a pane, a ray hits the lower index, another pane, and then the table above that.
+      // Below a pane, a ray hits the lower index of two surfaces, another pane, and then the table above that.
       SceneBuilder panes;
       panes.scene.background = vec3(1);
       panes.view({0.3f, 0.2f, 3}, {0.3f, 0.2f, 0}, {0, 1, 0}, 10);
