@@ -71,7 +71,6 @@ Ray withStart(Ray ray) {
   if (!kHasCoincident || (ray.originSlot & kOriginCoincident) == 0u) return ray;
   ray.start.rows = rowsOfSlot(ray.originSlot & kOriginSlotMask);
   ray.start.surface = flatSurfaceOf(ray.start.rows, ray.origin);
-  ray.start.reach = largestCoordinate(ray.start.surface);
   return ray;
 }
 
@@ -146,26 +145,6 @@ float hitFlatByRules(Ray ray, uvec4 rows[3], float t, FlatSurface surface) {
   return passes(ray, rows, dot(surface.normal, ray.direction) < 0.0 == isInward(ray)) ? kNoHit : kAtOnce;
 }
 
-// Returns whether a face of a box coincides with the surface on which the ray starts: the one of unit normal `across`
-// through the corner `corner`.
-bool faceCoincides(Ray ray, vec3 low, vec3 high, vec3 across, vec3 corner) {
-  FlatSurface start = ray.start.surface;
-  vec3 centre = mix(0.5 * (low + high), corner, across);
-  vec3 extent = (vec3(1.0) - across) * 0.5 * (high - low);
-  float tolerance = kCoplanar * larger(largest(abs(centre) + extent), ray.start.reach);
-  precise float depth = abs(dot(centre - start.points[0], start.normal)) + dot(extent, abs(start.normal));
-  float deepest = 0.0;
-  [[unroll]] for (int i = 0; i < 4; ++i) deepest = larger(deepest, abs(dot(start.points[i] - corner, across)));
-  return isFlat(ray.start.rows[2].w) && (depth <= tolerance || deepest <= tolerance && !start.infinite);
-}
-
-// Returns the axis of the smallest component as a unit vector.
-vec3 smallestAxis(vec3 v) {
-  bool x = v.x <= v.y && v.x <= v.z;
-  bool y = !x && v.y <= v.z;
-  return vec3(x, y, !x && !y);
-}
-
 // Returns the distance to a box. If the rules apply (`ruled`), it may be the origin primitive's copy, or one of its
 // faces may lie in the plane of the ray's origin.
 float hitBoxByRules(Ray ray, uvec4 rows[3], bool startsHere, bool ruled) {
@@ -179,11 +158,12 @@ float hitBoxByRules(Ray ray, uvec4 rows[3], bool startsHere, bool ruled) {
   bool same = ruled && areSameBody(ray.start.rows, rows);
   if (same && !passes(ray, rows, true)) return kAtOnce;
   if (startsHere || same) return isInward(ray) ? positiveOrNone(exit) : kNoHit;
-  bvec3 ascends = greaterThan(ray.direction, vec3(0.0));
-  if (ruled && faceCoincides(ray, low, high, smallestAxis(far), mix(low, high, ascends))) {
+  int exitAxis = far.x <= far.y && far.x <= far.z ? 0 : far.y <= far.z ? 1 : 2;
+  if (ruled && coincidesWithStart(ray, flatFace(low, high, exitAxis, ray.direction[exitAxis] > 0.0))) {
     return passes(ray, rows, !isInward(ray)) ? kNoHit : kAtOnce;
   }
-  if (ruled && faceCoincides(ray, low, high, smallestAxis(-near), mix(high, low, ascends))) {
+  int entryAxis = near.x >= near.y && near.x >= near.z ? 0 : near.y >= near.z ? 1 : 2;
+  if (ruled && coincidesWithStart(ray, flatFace(low, high, entryAxis, ray.direction[entryAxis] < 0.0))) {
     return passes(ray, rows, isInward(ray)) ? positiveOrNone(exit) : kAtOnce;
   }
   return entry > 0.0 ? entry : positiveOrNone(exit);

@@ -18,7 +18,6 @@ struct FlatSurface {
 struct RayStart {
   uvec4 rows[3];
   FlatSurface surface;  // on which the ray starts, if it is flat
-  float reach;          // its largest coordinate
 };
 
 struct Ray {

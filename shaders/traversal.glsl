@@ -103,22 +103,17 @@ vec3 inverseDirection(vec3 direction) {
 }
 
 #include "bvh.glsl"
-#include "grid.glsl"
 #include "wide_bvh.glsl"
+#include "grid.glsl"
 
 Hit traceClosest(Ray ray, inout Work work) {
   ray = withStart(ray);
   Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu);
-  if (kUniformSlots > 0u)
-    closestOfUniform(hit, ray, work);
-  else if (kStructure == kStructureBvh)
-    closestInHierarchy(hit, ray, work);
-  else if (kStructure == kStructureWideBvh)
-    closestInWideHierarchy(hit, ray, work);
-  else if (kStructure == kStructureGrid)
-    closestInGrid(hit, ray, work);
-  else
-    closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
+  if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
+  else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
+  else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
+  else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
+  else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
   if (kHasBehind && hit.t < kNoHit && (hit.index & kIndexBehind) != 0u) {
     uvec4 rows[3] = rowsOfSlot(hit.slot);

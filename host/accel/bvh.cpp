@@ -11,6 +11,7 @@
 #include "host/accel/reinsertion.h"
 #include "host/accel/task_pool.h"
 #include "host/core/errors.h"
+#include "host/core/run_on_threads.h"
 
 namespace candela::accel {
 namespace {
@@ -81,7 +82,7 @@ class BvhBuilder {
  private:
   static std::uint32_t threadCount(const BvhOptions& options, std::size_t itemCount) {
     if (itemCount < 2 * kTaskItems) return 1;
-    return threadsFor(options.threads);
+    return threadCountFor(options.threads);
   }
 
   // Forks large ranges, with a task for each side; small ones become subtrees at once.

@@ -9,6 +9,7 @@
 #include "host/accel/task_pool.h"
 #include "host/core/divide_up.h"
 #include "host/core/errors.h"
+#include "host/core/run_on_threads.h"
 
 namespace candela::accel {
 namespace {
@@ -59,7 +60,7 @@ class GridBuilder {
  private:
   static std::uint32_t threadCount(const GridOptions& options, std::size_t primitiveCount) {
     if (primitiveCount <= kChunk) return 1;
-    return threadsFor(options.threads);
+    return threadCountFor(options.threads);
   }
 
   std::size_t chunkCount() const { return divideUp(bounds_.size(), kChunk); }

@@ -7,6 +7,7 @@
 
 #include "host/accel/linked_tree.h"
 #include "host/accel/task_pool.h"
+#include "host/core/run_on_threads.h"
 
 namespace candela::accel {
 namespace {
@@ -124,7 +125,7 @@ void apply(const std::vector<SubtreeMove>& moves, std::uint32_t maxDepth, Linked
 Bvh reinsertAmong(Bvh bvh, std::size_t nodeLimit, double minGain, const BvhOptions& options) {
   LinkedTree tree(bvh, nodeLimit);
   if (tree.nodes().size() < 5) return bvh;
-  TaskPool pool(tree.nodes().size() < 2 * kTaskNodes ? 1 : threadsFor(options.threads));
+  TaskPool pool(tree.nodes().size() < 2 * kTaskNodes ? 1 : threadCountFor(options.threads));
   const double start = tree.innerHalfArea();
   double sum = start;
   for (int pass = 0; pass < kMaxPasses; ++pass) {

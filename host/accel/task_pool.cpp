@@ -1,16 +1,11 @@
 // One queue that is emptied from its end, so that the halves of a large task are processed first.
 #include "host/accel/task_pool.h"
 
-#include <algorithm>
 #include <system_error>
 #include <thread>
 #include <utility>
 
 namespace candela::accel {
-
-std::uint32_t threadsFor(std::uint32_t asked) {
-  return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency());
-}
 
 TaskPool::TaskPool(std::uint32_t threadCount) {
   try {

@@ -11,9 +11,6 @@
 
 namespace candela::accel {
 
-/// Returns `asked`, or the number of cores if it is 0.
-std::uint32_t threadsFor(std::uint32_t asked);
-
 /// Threads run from construction to destruction. The thread that calls wait() works too, so that `threadCount` 1 starts
 /// no thread. Tasks run in no particular order.
 class TaskPool {

@@ -12,6 +12,7 @@
 #include "host/accel/task_pool.h"
 #include "host/accel/wide_families.h"
 #include "host/core/errors.h"
+#include "host/core/run_on_threads.h"
 
 namespace candela::accel {
 namespace {
@@ -182,7 +183,7 @@ WideBvh collapse(const Bvh& bvh) {
   Collapser top(bvh, families, 0);
   const std::vector<Pending> roots = top.runUntil(kSubtrees);
   std::vector<WideBvh> subtrees(roots.size());
-  TaskPool pool(bvh.nodes.size() < kFewNodes ? 1 : threadsFor(0));
+  TaskPool pool(bvh.nodes.size() < kFewNodes ? 1 : threadCountFor(0));
   for (std::size_t i = 0; i < roots.size(); ++i) {
     pool.submit([&, i] {
       Collapser collapser(bvh, families, roots[i].source);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "host/capture/folder.h"
 #include "host/cli/commands.h"
@@ -17,6 +16,7 @@
 #include "host/conformance/case_tables.h"
 #include "host/conformance/results.h"
 #include "host/core/interrupt.h"
+#include "host/core/run_on_threads.h"
 #include "host/core/stopwatch.h"
 #include "host/doctor/devices.h"
 #include "host/vulkan/device_choice.h"
@@ -84,7 +84,7 @@ conformance::Expectations readExpectations(const ConformanceArguments& arguments
 
 conformance::RunOptions optionsFrom(const ConformanceArguments& arguments, const Log& log) {
   conformance::RunOptions options;
-  options.jobs = arguments.jobs.value_or(std::max(1u, std::thread::hardware_concurrency()));
+  options.jobs = arguments.jobs.value_or(threadCountFor(0));
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeout * 1000));
   options.shuffle = arguments.shuffle;
   options.expectations = readExpectations(arguments, log);

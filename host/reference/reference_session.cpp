@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <new>
-#include <thread>
 
 #include "host/core/errors.h"
+#include "host/core/run_on_threads.h"
 #include "host/core/stopwatch.h"
 #include "host/core/version.h"
 #include "host/reference/path.h"
@@ -20,11 +20,6 @@ namespace candela::reference {
 namespace {
 
 constexpr render::Extent kDefaultTile{16, 16};
-
-std::uint32_t threadCount(const render::RenderSettings& settings) {
-  return settings.execution.threads > 0 ? settings.execution.threads
-                                        : std::max(1u, std::thread::hardware_concurrency());
-}
 
 std::unique_ptr<PixelTracer> makeTracer(const scene::Scene& scene, const render::RenderSettings& settings) {
   if (settings.image.integrator == render::Integrator::whitted) return std::make_unique<WhittedTracer>(scene, settings);
@@ -77,7 +72,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   prepared_.kernel = render::KernelInUse::reference;
   prepared_.kernels = "reference";
   prepared_.platform = toolchainText();
-  prepared_.threads = threadCount(settings_);
+  prepared_.threads = threadCountFor(settings_.execution.threads);
   Stopwatch watch;
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);

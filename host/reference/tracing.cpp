@@ -183,8 +183,8 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   behindReach_ = double{coincidences.behindReach};
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
-    addItem(scene, primitive, settings.image.oneSided && material.opaque);
-    items_.back().behind = behindReach_ > 0 && coincidences.behind[primitive];
+    addItem(scene, primitive, settings.image.oneSided && material.opaque,
+            behindReach_ > 0 && coincidences.behind[primitive]);
   };
 
   items_.reserve(scene.primitives.size());
@@ -217,14 +217,14 @@ void Tracing::prepareReplicas() {
   for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye_));
 }
 
-void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided) {
+void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided, bool behind) {
   const scene::Primitive& primitive = scene.primitives[index];
   const scene::Material& material = scene.materials[primitive.material];
   const bool thinWalled = material.surface && !material.surface->hasVolume();
   const bool whitted = settings_.image.integrator == render::Integrator::whitted;
   itemOf_[index] = static_cast<std::uint32_t>(items_.size());
   items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), isEmissive(material),
-                    transmits(material, whitted), thinWalled, false, primitive.material, index, index});
+                    transmits(material, whitted), thinWalled, behind, primitive.material, index, index});
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {

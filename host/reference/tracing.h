@@ -75,7 +75,7 @@ class Tracing {
     std::uint32_t firstCopy;  ///< the lowest index of a primitive of the same shape; perturbed by the same errors
   };
 
-  void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided);
+  void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided, bool behind);
   double distance(const Item& item, const Ray& ray) const;
   /// Returns the distance that an item which is hit at distance `t` counts for, in comparisons with others.
   double comparedDistance(const Item& item, const Ray& ray, double t) const;

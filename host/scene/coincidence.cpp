@@ -2,6 +2,7 @@
 #include "host/scene/coincidence.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <span>
@@ -142,32 +143,31 @@ void markCoincident(const Scene& scene, Coincidences& result) {
   for (const auto& [a, b] : result.overlaps) result.coincident[a] = result.coincident[b] = true;
 }
 
-float reachOf(const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
-
 struct LargestCoordinate {
-  float operator()(const Sphere& s) const { return reachOf(s.centre) + std::abs(s.radius); }
-  float operator()(const Triangle& t) const { return std::max({reachOf(t.p[0]), reachOf(t.p[1]), reachOf(t.p[2])}); }
-  float operator()(const Box& box) const { return std::max(reachOf(box.min), reachOf(box.max)); }
+  float operator()(const Sphere& s) const { return reachOf(std::array{s.centre}) + std::abs(s.radius); }
+  float operator()(const Triangle& t) const { return reachOf(t.p); }
+  float operator()(const Box& box) const { return reachOf(std::array{box.min, box.max}); }
   float operator()(const Cone& c) const {
-    return std::max(reachOf(c.base), reachOf(c.apex)) + std::max(c.baseRadius, c.apexRadius);
+    return reachOf(std::array{c.base, c.apex}) + std::max(c.baseRadius, c.apexRadius);
   }
-  float operator()(const Plane& plane) const { return reachOf(plane.p[0]); }
+  float operator()(const Plane& plane) const { return reachOf(std::array{plane.p[0]}); }
 };
 
 // Marks surfaces that are behind emitters. Copies share the marks that their first copy has.
 void markBehind(const Scene& scene, Coincidences& result) {
   const auto count = static_cast<std::uint32_t>(result.firstCopy.size());
-  std::vector<bool> emits(count), holdsEmitter(count), isInvolved(count);  // by first copy
+  result.behind.resize(count);
+  std::vector<bool> emits(count), isInvolved(count);  // by first copy
   const auto emitsItself = [&](std::uint32_t i) { return isEmissive(scene.materials[scene.primitives[i].material]); };
   for (std::uint32_t i = 0; i < count; ++i) {
     if (emitsItself(i)) emits[result.firstCopy[i]] = true;
   }
-  for (std::uint32_t i = 0; i < count; ++i) holdsEmitter[i] = emits[i];
+  if (std::ranges::count(emits, true) == 0) return;
+  std::vector<bool> holdsEmitter = emits;
   for (const auto& [a, b] : result.overlaps) {
     if (emits[a]) holdsEmitter[b] = true;
     if (emits[b]) holdsEmitter[a] = true;
   }
-  result.behind.resize(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     result.behind[i] = holdsEmitter[result.firstCopy[i]] && !emitsItself(i);
     if (result.behind[i]) isInvolved[result.firstCopy[i]] = true;
@@ -184,8 +184,6 @@ void markBehind(const Scene& scene, Coincidences& result) {
 }
 
 }  // namespace
-
-bool Coincidences::any() const { return std::ranges::find(coincident, true) != coincident.end(); }
 
 Coincidences findCoincidences(const Scene& scene, std::uint32_t threads) {
   const std::uint32_t threadCount = threadCountFor(threads);

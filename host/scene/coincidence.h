@@ -36,8 +36,6 @@ struct Coincidences {
   std::vector<bool> behind;
   /// The largest coordinate of all surfaces that are behind and of their emitters; 0 if there are none.
   float behindReach = 0;
-
-  bool any() const;
 };
 
 /// Searches in O(n log n) for meshes in which few boxes of triangles overlap; the work is limited. With 0 threads,

@@ -15,12 +15,6 @@ using glm::vec3;
 
 float largest(const vec3& v) { return std::max({v.x, v.y, v.z}); }
 
-float reachOf(std::span<const vec3> points) {
-  float reach = 0;
-  for (const vec3& point : points) reach = std::max(reach, largest(glm::abs(point)));
-  return reach;
-}
-
 // Stores the flat parts of a shape, and counts those that have an area.
 struct StoreFlatParts {
   std::uint32_t primitive;
@@ -91,6 +85,12 @@ bool separates(const FlatSurface& a, const FlatSurface& b, int u, int v, double 
 }
 
 }  // namespace
+
+float reachOf(std::span<const vec3> points) {
+  float reach = 0;
+  for (const vec3& point : points) reach = std::max(reach, largest(glm::abs(point)));
+  return reach;
+}
 
 std::size_t flatPartCount(PrimitiveKind kind) {
   if (kind == PrimitiveKind::box) return 6;

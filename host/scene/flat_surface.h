@@ -22,6 +22,9 @@ struct FlatSurface {
   std::span<const glm::vec3> polygon() const { return std::span(corners).first(cornerCount); }
 };
 
+/// Returns the magnitude of the largest coordinate of points.
+float reachOf(std::span<const glm::vec3> points);
+
 /// Returns the number of flat parts of a primitive.
 std::size_t flatPartCount(PrimitiveKind kind);
 

@@ -26,6 +26,8 @@ SceneBuilder grey() {
   return b;
 }
 
+bool anyCoincide(const Coincidences& found) { return std::ranges::count(found.coincident, true) > 0; }
+
 std::size_t copyCount(const Coincidences& found) {
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < found.firstCopy.size(); ++i) count += found.firstCopy[i] != i;
@@ -91,7 +93,7 @@ TEST_CASE("triangles with the same vertices are copies in any order") {
   CHECK(found.firstCopy == std::vector<std::uint32_t>{0, 0, 0, 3});
   CHECK(found.coincident == std::vector<bool>{true, true, true, false});
   CHECK(found.overlaps.empty());
-  CHECK(found.any());
+  CHECK(anyCoincide(found));
 }
 
 TEST_CASE("equal spheres, boxes, planes and cones are copies, cones also with their ends exchanged") {
@@ -144,7 +146,7 @@ TEST_CASE("parallel planes with a gap above the tolerance do not coincide") {
     b.quad({-5, -5, coordinate}, {5, -5, coordinate}, {5, 5, coordinate}, {-5, 5, coordinate});
     b.quad({-4, -4, above}, {4, -4, above}, {4, 4, above}, {-4, 4, above});
     CAPTURE(coordinate);
-    CHECK_FALSE(findCoincidences(b.scene).any());
+    CHECK_FALSE(anyCoincide(findCoincidences(b.scene)));
   }
 }
 
@@ -184,7 +186,7 @@ TEST_CASE(
     const float z = 1000 * 0x1p-21f * tolerances;
     b.triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
     b.triangle({-1, -1, z}, {1, -1, z}, {0, 1, z});
-    return findCoincidences(b.scene).any();
+    return anyCoincide(findCoincidences(b.scene));
   };
   CHECK(coincide(0.5f));
   CHECK_FALSE(coincide(2));
@@ -196,7 +198,7 @@ TEST_CASE("planes at an angle or at a distance do not coincide") {
       .plane({0, 0, 0}, {0, 0, 1}, {0, 1, 0})
       .plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
   b.plane({0, 0, 0}, {1, 0, 1e-6f}, {0, 1, 0});
-  CHECK_FALSE(findCoincidences(b.scene).any());
+  CHECK_FALSE(anyCoincide(findCoincidences(b.scene)));
 }
 
 TEST_CASE("neighbours in a flat mesh, in a closed box and at an acute edge do not coincide") {
