@@ -85,12 +85,13 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const scene::Coincidences coincidences = scene::findCoincidences(scene);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
-  const bool small = isSmall(scene, coincidences.coincident, limits.smallScene) && !wantsStructure(settings);
+  const bool small = isSmall(scene, coincidences.coincident, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
-  if (!small) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
+  if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
+  const bool isList = small && flat.structure == gpu::kStructureNone;
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
-  if (small) {
+  if (isList) {
     const auto marked = std::ranges::stable_partition(order,
                                                       [&](std::uint32_t i) { return !coincidences.coincident[i]; });
     flat.firstMarkedSlot = static_cast<std::uint32_t>(marked.begin() - order.begin());
@@ -108,7 +109,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.coincident = coincidentKinds(scene, marks.coincidence);
   appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
   flat.rowsAhead = limits.smallScene.rowsAhead;
-  if (small) copySlotRows(flat);
+  if (isList) copySlotRows(flat);
   const SurfaceOrder surfaces = orderSurfaces(scene);
   appendMaterials(scene, settings.image.integrator, surfaces, flat);
   appendSurfaces(scene, surfaces, flat);

@@ -94,6 +94,10 @@ TEST_CASE("a small scene has its records in the uniform buffer too, unless a str
   }
   settings.structure.bvhLayout = render::BvhLayout::cwbvh;
   CHECK(flatten::flattenScene(scene, settings, limits).structure == gpu::kStructureWideBvh);
+  // A BVH of one leaf is none, and its primitives are a list again.
+  const flatten::FlatScene leaf = flatten::flattenScene(scattered(kSphere, 1), settings, limits);
+  CHECK(leaf.layout() == render::LayoutInUse::list);
+  CHECK(leaf.firstMarkedSlot == 1);
   settings.structure.bvhLayout = render::BvhLayout::automatic;
   settings.structure.accel = render::AccelKind::grid;
   CHECK(flatten::flattenScene(scene, settings, limits).uniformSlots == 0);
