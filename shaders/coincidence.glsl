@@ -49,14 +49,12 @@ bool areCoplanar(FlatSurface a, FlatSurface b) {
   return aInB && !a.infinite || bInA && !b.infinite;
 }
 
-bool mayCoincide(uint kindBit) { return (kCoincident & kindBit) != 0u; }
-
 // Returns the flat surface of a triangle or plane, or the face of a box that is closest to a point on it.
 FlatSurface flatSurfaceOf(uvec4 rows[3], vec3 point) {
   vec3 row0 = uintBitsToFloat(rows[0].xyz);
   vec3 row1 = uintBitsToFloat(rows[1].xyz);
-  if (mayCoincide(kCoincidentPlane) && isKind(rows[2].w, kKindPlane)) return flatPlane(row0, row1);
-  if (mayCoincide(kCoincidentBox) && isKind(rows[2].w, kKindBox)) {
+  if (kPlanesCoincide && isKind(rows[2].w, kKindPlane)) return flatPlane(row0, row1);
+  if (kBoxesCoincide && isKind(rows[2].w, kKindBox)) {
     vec3 toLow = abs(point - row0);
     vec3 toHigh = abs(point - row1);
     vec3 nearer = min(toLow, toHigh);
@@ -66,10 +64,25 @@ FlatSurface flatSurfaceOf(uvec4 rows[3], vec3 point) {
   return flatTriangle(row0, row1, uintBitsToFloat(rows[2].xyz));
 }
 
+// Returns the records of the ray's origin primitive, which the host has marked. In a list, few are marked, and choosing
+// among their uniform records is cheaper than reading records that differ in each lane.
+uvec4[3] rowsOfStart(Ray ray) {
+  if (kUniformSlots == 0u) return rowsOfSlot(ray.originSlot & kOriginSlotMask);
+  uint first = kFirstMarkedSlot * kPrimitiveRows;
+  uvec4 rows[3] = uvec4[3](slotRow(first), slotRow(first + 1u), slotRow(first + 2u));
+  [[unroll]] for (uint slot = kFirstMarkedSlot + 1u; slot < kUniformSlots; ++slot) {
+    bvec4 here = bvec4(startsOn(ray, slot));
+    [[unroll]] for (uint i = 0u; i < kPrimitiveRows; ++i) {
+      rows[i] = mix(rows[i], slotRow(slot * kPrimitiveRows + i), here);
+    }
+  }
+  return rows;
+}
+
 // Returns the ray with what the rules need to know about its origin primitive.
 Ray withStart(Ray ray) {
   if (!kHasCoincident || (ray.originSlot & kOriginCoincident) == 0u) return ray;
-  ray.start.rows = rowsOfSlot(ray.originSlot & kOriginSlotMask);
+  ray.start.rows = rowsOfStart(ray);
   ray.start.surface = flatSurfaceOf(ray.start.rows, ray.origin);
   return ray;
 }
@@ -95,7 +108,7 @@ bool areSameBody(uvec4 a[3], uvec4 b[3]) {
 // Returns whether the ray passes a primitive that coincides with its origin primitive. `sameSide`: it enters both of
 // them, or exits both.
 bool passes(Ray ray, uvec4 rows[3], bool sameSide) {
-  if (!mayCoincide(kCoincidentTransmits)) return true;
+  if (!kLightCrossesCoincident) return true;
   bool transmits = (rows[2].w & kFlagTransmits) != 0u;
   bool isContinued = transmits && rows[2].w >> kMaterialShift == ray.start.rows[2].w >> kMaterialShift;
   uint contact = ray.originSlot & (kOriginBeyond | kOriginBack);
@@ -145,6 +158,15 @@ float hitFlatByRules(Ray ray, uvec4 rows[3], float t, FlatSurface surface) {
   return passes(ray, rows, dot(surface.normal, ray.direction) < 0.0 == isInward(ray)) ? kNoHit : kAtOnce;
 }
 
+// Returns whether a ray through a box can start on the face through which it exits, rather than on that through which it
+// enters. If the faces are too close to tell, it can.
+bool mayStartOnExit(Ray ray, vec3 low, vec3 high, int entryAxis, int exitAxis, float entry, float exit) {
+  vec3 normal = abs(ray.start.surface.normal);
+  if (entryAxis != exitAxis) return normal[exitAxis] > normal[entryAxis];
+  float reach = larger(largestCoordinate(ray.start.surface), largest(max(abs(low), abs(high))));
+  return abs(exit) <= abs(entry) || high[exitAxis] - low[exitAxis] <= kCoplanar * reach;
+}
+
 // Returns the distance to a box. If the rules apply (`ruled`), it may be the origin primitive's copy, or one of its
 // faces may lie in the plane of the ray's origin.
 float hitBoxByRules(Ray ray, uvec4 rows[3], bool startsHere, bool ruled) {
@@ -159,12 +181,12 @@ float hitBoxByRules(Ray ray, uvec4 rows[3], bool startsHere, bool ruled) {
   if (same && !passes(ray, rows, true)) return kAtOnce;
   if (startsHere || same) return isInward(ray) ? positiveOrNone(exit) : kNoHit;
   int exitAxis = far.x <= far.y && far.x <= far.z ? 0 : far.y <= far.z ? 1 : 2;
-  if (ruled && coincidesWithStart(ray, flatFace(low, high, exitAxis, ray.direction[exitAxis] > 0.0))) {
-    return passes(ray, rows, !isInward(ray)) ? kNoHit : kAtOnce;
-  }
   int entryAxis = near.x >= near.y && near.x >= near.z ? 0 : near.y >= near.z ? 1 : 2;
-  if (ruled && coincidesWithStart(ray, flatFace(low, high, entryAxis, ray.direction[entryAxis] < 0.0))) {
-    return passes(ray, rows, isInward(ray)) ? positiveOrNone(exit) : kAtOnce;
+  bool onExit = mayStartOnExit(ray, low, high, entryAxis, exitAxis, entry, exit);
+  int axis = onExit ? exitAxis : entryAxis;
+  if (ruled && coincidesWithStart(ray, flatFace(low, high, axis, ray.direction[axis] > 0.0 == onExit))) {
+    if (!passes(ray, rows, onExit != isInward(ray))) return kAtOnce;
+    return onExit ? kNoHit : positiveOrNone(exit);
   }
   return entry > 0.0 ? entry : positiveOrNone(exit);
 }

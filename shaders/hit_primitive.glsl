@@ -17,6 +17,7 @@ const uint kAnyPrimitive = 0u;
 const uint kFinitePrimitive = 1u;
 const uint kInfinitePlane = 2u;
 const uint kApartPrimitive = 3u;  // it coincides with no other
+const uint kSphere = 4u;
 
 // Returns the distance to the primitive of a slot with these records, whatever its opacity. `known` is a constant.
 float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
@@ -25,31 +26,33 @@ float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   vec4 row2 = uintBitsToFloat(rows[2]);
   bool startsHere = startsOn(ray, slot);
   bool ruled = kHasCoincident && known != kApartPrimitive && followsRules(ray, rows, startsHere);
-  if (kHasPlanes && known != kFinitePrimitive && (known == kInfinitePlane || isKind(kind, kKindPlane))) {
+  bool mayBePlane = known != kFinitePrimitive && known != kSphere;
+  if (kHasPlanes && mayBePlane && (known == kInfinitePlane || isKind(kind, kKindPlane))) {
     if (startsHere) return kNoHit;
     float t = planeDistance(ray, row0.xyz, row1.xyz);
-    if (!mayCoincide(kCoincidentPlane) || !ruled) return positiveOrNone(t);
+    if (!kPlanesCoincide || !ruled) return positiveOrNone(t);
     return hitFlatByRules(ray, rows, t, flatPlane(row0.xyz, row1.xyz));
   }
   if (known == kInfinitePlane) return kNoHit;
-  if (kHasSpheres && isKind(kind, kKindSphere)) {
+  if (kHasSpheres && (known == kSphere || isKind(kind, kKindSphere))) {
     bool insideOnly = kHasInsideOnly && (kind & kFlagInsideOnly) != 0u;
-    bool same = mayCoincide(kCoincidentSphere) && ruled && areSameBody(ray.start.rows, rows);
+    bool same = kSpheresCoincide && ruled && areSameBody(ray.start.rows, rows);
     if (same && hitsSphereAtOnce(ray, rows)) return kAtOnce;
     return hitSphere(ray, row0.xyz, row0.w, row1.xyz, insideOnly, startsHere || same);
   }
+  if (known == kSphere) return kNoHit;
   if (kHasTriangles && isKind(kind, kKindTriangle)) {
     if (startsHere) return kNoHit;
     float t = triangleDistance(ray, row0.xyz, row1.xyz, row2.xyz);
-    if (!mayCoincide(kCoincidentTriangle) || !ruled) return positiveOrNone(t);
+    if (!kTrianglesCoincide || !ruled) return positiveOrNone(t);
     return hitFlatByRules(ray, rows, t, flatTriangle(row0.xyz, row1.xyz, row2.xyz));
   }
   if (kHasBoxes && isKind(kind, kKindBox)) {
-    if (mayCoincide(kCoincidentBox) && known != kApartPrimitive) return hitBoxByRules(ray, rows, startsHere, ruled);
+    if (kBoxesCoincide && known != kApartPrimitive) return hitBoxByRules(ray, rows, startsHere, ruled);
     return hitBox(ray, row0.xyz, row1.xyz, startsHere, isInward(ray));
   }
   if (kHasCones && isKind(kind, kKindCone)) {
-    bool same = mayCoincide(kCoincidentCone) && ruled && areSameBody(ray.start.rows, rows);
+    bool same = kConesCoincide && ruled && areSameBody(ray.start.rows, rows);
     if (same && !passes(ray, rows, true)) return kAtOnce;
     return hitCone(ray, row0.xyz, row0.w, row1.xyz, row2.x, startsHere || same);
   }

@@ -49,7 +49,7 @@ float triangleDistance(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   precise float v = a.x * c.y - a.y * c.x;
   precise float w = b.x * a.y - b.y * a.x;
   bool inside = smaller(u, smaller(v, w)) >= 0.0 || larger(u, larger(v, w)) <= 0.0;
-  if ((kCoincident & kCoincidentTriangle) != 0u) {
+  if (kTrianglesCoincide) {
     precise vec3 weighted = vec3(u * a.z, v * b.z, w * c.z);
     float sum = sortedSum(vec3(u, v, w));
     precise float t = sortedSum(weighted) / sum;

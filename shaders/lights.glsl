@@ -36,7 +36,7 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   float height = sphereCapHeight(toCentre, light.radius, from.slot == light.slot);
   vec3 local = sampleCap(u, height);
   vec3 wi = height == 2.0 ? local : frameAround(unit(toCentre)) * local;
-  PrimitiveHit hit = hitPrimitive(withStart(rayFrom(from, wi, false)), light.slot, kFinitePrimitive);
+  PrimitiveHit hit = hitPrimitive(withStart(rayFrom(from, wi, false)), light.slot, kSphere);
   if (hit.t >= kNoHit) return kNoLight;
   vec3 emission = light.emission;
   if (kHasCoat) {

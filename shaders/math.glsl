@@ -104,7 +104,7 @@ float expMinusOne(float y) {
 // Normalises v. The built-in normalize() may use an approximate square root.
 vec3 unit(vec3 v) { return v * (1.0 / sqrt(dot(v, v))); }
 
-float largest(vec3 v) { return max(v.x, max(v.y, v.z)); }
+float largest(vec3 v) { return larger(larger(v.x, v.y), v.z); }
 float luminance(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
 #endif

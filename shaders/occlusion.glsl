@@ -91,7 +91,7 @@ bool emits(uint kind) {
 // Returns whether a primitive other than the light, with these records, hides the light at the ray's end.
 bool rowsHide(Ray ray, uint slot, uvec4 rows[3], uint kind, RayEnd end, uint known) {
   float t = hitRows(ray, slot, rows, kind, known).t;
-  if (mayCoincide(kCoincidentEmitters) && kHasSampledEmitters && (rows[2].w & kFlagCoincident) != 0u &&
+  if (kEmittersCoincide && kHasSampledEmitters && (rows[2].w & kFlagCoincident) != 0u &&
       end.light != kNoSlot) {
     uvec4 light[3] = rowsOfSlot(end.light);
     if (emits(rows[2].w) && emittersCoincide(rows, light)) {

@@ -72,6 +72,13 @@ const bool kHasTexCoords = kHasTextures || kSumsTexCoord;
 
 const bool kCountsHits = kBackdrop == kBackdropNone;
 const bool kHasCoincident = kCoincident != 0u;
+const bool kSpheresCoincide = (kCoincident & kCoincidentSphere) != 0u;
+const bool kTrianglesCoincide = (kCoincident & kCoincidentTriangle) != 0u;
+const bool kBoxesCoincide = (kCoincident & kCoincidentBox) != 0u;
+const bool kConesCoincide = (kCoincident & kCoincidentCone) != 0u;
+const bool kPlanesCoincide = (kCoincident & kCoincidentPlane) != 0u;
+const bool kLightCrossesCoincident = (kCoincident & kCoincidentTransmits) != 0u;
+const bool kEmittersCoincide = (kCoincident & kCoincidentEmitters) != 0u;
 const bool kHasBehind = kHasCoincident && kBehindReach != 0u;
 const bool kLoopsOverPlanes = kHasPlanes && kUniformSlots == 0u;
 const bool kHasFlat = kHasTriangles || kHasBoxes || kHasPlanes;

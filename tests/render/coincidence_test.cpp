@@ -63,6 +63,7 @@ void addInclinedRug(SceneBuilder& b, const Placed& p) {
 
 void addPlane(SceneBuilder& b, const Placed& p) { b.plane(p.at(0, 0, 0), p.at(1, 0, 0), p.at(0, 1, 0)); }
 void addBox(SceneBuilder& b, const Placed& p) { b.box(p.at(-1, -1, -1), p.at(1, 1, 0)); }
+void addThinBox(SceneBuilder& b, const Placed& p) { b.box(p.at(-1, -1, 0), p.at(1, 1, 1e-7f)); }
 void addSphere(SceneBuilder& b, const Placed& p) { b.sphere(p.centre, p.size); }
 
 // All bodies are convex as seen from above, where the camera is.
@@ -79,6 +80,7 @@ std::vector<DoubledBody> doubledBodies() {
           {"planes", addPlane, addPlane},
           {"boxes", addBox, addBox},
           {"a rug in the face of a box", addBox, addRug},
+          {"a floor and a box as thin as rounding errors", addFloor, addThinBox},
           {"spheres", addSphere, addSphere},
           {"cylinders with their ends exchanged",
            [](SceneBuilder& b, const Placed& p) { b.cone(p.at(-1, 0, 0), p.size, p.at(1, 0, 0), p.size); },
