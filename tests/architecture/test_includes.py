@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""Compares the table of folders in docs/architecture.md with the #include lines of host/.
+"""Compares the tables of folders in docs/architecture.md and docs/tiers.md with the #include lines of host/ and shaders/.
 
 Every folder of host/ has a row, which names exactly the folders that its files include; no two folders include each other,
-directly or not.
+directly or not. Every folder belongs to a tier, and includes only this tier and those below it. Shaders include only shaders
+and the lists that docs/tiers.md names.
 """
 import re
 import sys
@@ -13,6 +14,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 INCLUDE = re.compile(r'^\s*#\s*include "host/(\w+)/', re.MULTILINE)
 ROW = re.compile(r"^\| `host/(\w+)` \| .* \| (.*) \|$", re.MULTILINE)
+TIER = re.compile(r"^\| (\w+) \| ([\w, ]+) \| .* \|$", re.MULTILINE)
+QUOTED = re.compile(r'^\s*#\s*include "([^"]+)"', re.MULTILINE)
+LISTS = {"image/layer_sum_list.h", "render/lobe_list.h", "scene/primitive_kind_list.h"}
 
 
 def included_folders():
@@ -32,6 +36,18 @@ def documented_folders():
             for folder, text in rows}
 
 
+def tiers():
+    """Returns [(tier, its folders)], from the bottom to the top."""
+    section = (ROOT / "docs/tiers.md").read_text().split("## Rules")[0]
+    return [(tier, folders.split(", ")) for tier, folders in TIER.findall(section) if tier != "tier"]
+
+
+def above(included):
+    """Returns the pairs of folders of which the first includes the second, which belongs to a tier above its own."""
+    floor = {folder: i for i, (_, folders) in enumerate(tiers()) for folder in folders}
+    return {(folder, other) for folder, others in included.items() for other in others if floor[other] > floor[folder]}
+
+
 class Includes(unittest.TestCase):
     def test_table_names_every_folder(self):
         self.assertEqual(set(documented_folders()), set(included_folders()))
@@ -44,6 +60,30 @@ class Includes(unittest.TestCase):
 
     def test_there_is_no_cycle(self):
         self.assertIn("core", list(TopologicalSorter(included_folders()).static_order()))
+
+
+class Tiers(unittest.TestCase):
+    def test_every_folder_belongs_to_one_tier(self):
+        named = [folder for _, folders in tiers() for folder in folders]
+        self.assertEqual(sorted(named), sorted(included_folders()))
+
+    def test_no_folder_includes_a_tier_above_its_own(self):
+        self.assertEqual(above(included_folders()), set())
+
+    def test_an_include_of_a_tier_above_is_found(self):
+        included = included_folders()
+        included["image"].add("reference")
+        self.assertEqual(above(included), {("image", "reference")})
+
+    def test_shaders_include_only_shaders_and_lists(self):
+        for file in (ROOT / "shaders").rglob("*.*"):
+            for name in QUOTED.findall(file.read_text()):
+                found = [folder / name for folder in (file.parent, ROOT / "shaders") if (folder / name).exists()]
+                with self.subTest(file=file.name, include=name):
+                    self.assertTrue(found, "no such file")
+                    path = found[0].resolve()
+                    is_list = path.is_relative_to(ROOT / "host") and str(path.relative_to(ROOT / "host")) in LISTS
+                    self.assertTrue(is_list or path.is_relative_to(ROOT / "shaders"))
 
 
 if __name__ == "__main__":
