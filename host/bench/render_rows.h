@@ -15,7 +15,7 @@ inline constexpr const char* kBenchSchema = "candela-bench/2";
 struct RenderRow {
   std::string scene;
   std::uint64_t sceneHash = 0;
-  Measurement measurement{};
+  Measurement measurement;
   std::optional<double> publishedSeconds{};  ///< seconds published elsewhere for the same work
 };
 

@@ -11,9 +11,9 @@ namespace candela::capture {
 
 struct SceneRequest {
   render::RenderSettings settings;
-  render::PixelSample sample;
-  TrialDevice device;
-  std::optional<TrialDevice> expect;        ///< whose bits are expected; absent: the reference's values
+  render::PixelSample sample{};
+  TrialDevice device{};
+  std::optional<TrialDevice> expect{};      ///< whose bits are expected; absent: the reference's values
   double shrinkSeconds = 60;                ///< time limit for removing parts of the scene; 0: the scene is not changed
   const std::atomic<bool>* stop = nullptr;  ///< polled
 };

@@ -14,7 +14,7 @@ using nlohmann::ordered_json;
 
 void requireAdaptable(const Arguments& arguments) {
   if (!arguments.noiseThreshold) return;
-  const render::ImageSettings& image = arguments.request.settings.image;
+  const render::ImageSettings& image = arguments.request.image;
   const std::uint32_t pilot = render::pilotSamples(*arguments.noiseThreshold);
   if (image.sampleCount <= pilot) {
     throw UsageError(
@@ -31,7 +31,7 @@ void requireAdaptable(const Arguments& arguments) {
 
 std::optional<render::AdaptivePlan> planOf(const Arguments& arguments) {
   if (!arguments.noiseThreshold) return std::nullopt;
-  const render::ImageSettings& image = arguments.request.settings.image;
+  const render::ImageSettings& image = arguments.request.image;
   return render::AdaptivePlan(image.window(), *arguments.noiseThreshold, image.sampleCount);
 }
 

@@ -82,7 +82,7 @@ void requireMergedFilm(const Arguments& arguments) {
 
 void requireTreeDepth(const Arguments& arguments) {
   const bool tooDeep = arguments.request.maxDepth && *arguments.request.maxDepth > render::kMaxTreeDepth;
-  if (arguments.request.settings.image.integrator != render::Integrator::whitted || !tooDeep) return;
+  if (arguments.request.image.integrator != render::Integrator::whitted || !tooDeep) return;
   refuse(arguments.command, fmt::format("--max-depth {}: the maximum with --integrator whitted is {}",
                                         *arguments.request.maxDepth, render::kMaxTreeDepth));
 }

@@ -19,7 +19,7 @@ using nlohmann::ordered_json;
 std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
   arguments.request.sampleCount.reset();
   arguments.noiseThreshold.reset();  // the sample is the same without it
-  arguments.request.settings.image.seed = pixel.seed;
+  arguments.request.image.seed = pixel.seed;
   std::string words = shellQuoted(arguments.files.front());
   for (const OptionGroup group : {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution}) {
     const std::string options = commandLineOf(arguments, group, true);
@@ -36,7 +36,7 @@ std::uint32_t samplesToRepeat(const render::BadPixel& pixel, const render::Rende
 }
 
 std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
-  const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings());
+  const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings);
   return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, job.arguments));
 }
 
@@ -57,13 +57,12 @@ std::string pixelLine(const render::BadPixel& pixel, const RenderJob& job) {
 }  // namespace
 
 std::string replayCommand(const render::BadPixel& pixel, const RenderJob& job) {
-  return job.settings().image.integrator == render::Integrator::path ? explainPath(pixel, job)
-                                                                     : renderAgain(pixel, job);
+  return job.settings.image.integrator == render::Integrator::path ? explainPath(pixel, job) : renderAgain(pixel, job);
 }
 
 std::vector<std::string> badSampleLines(const render::BadSampleTally& tally, const RenderJob& job) {
   if (tally.samples() == 0) return {};
-  const std::uint32_t scale = job.settings().image.filmScale;
+  const std::uint32_t scale = job.settings.image.filmScale;
   std::vector<std::string> lines{
       fmt::format("bad samples: {} in {}, not finite or negative (they count as 0) or above 2^{} (they are clamped{})",
                   counted(tally.samples(), "sample"), counted(tally.pixels(), "pixel"), 20 + scale,

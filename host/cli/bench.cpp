@@ -50,7 +50,7 @@ void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& argument
 }
 
 void requireScores(const Arguments& arguments) {
-  if (arguments.request.settings.image.integrator == render::Integrator::cost) {
+  if (arguments.request.image.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: the image depends on the acceleration structure, so benchmarks cannot compare it");
   }

@@ -19,7 +19,7 @@ using bench::RayTracer;
 
 // Returns false if it was interrupted.
 bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
-  const auto tracers = bench::deviceTracers(device, job.scene, job.settings());
+  const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
   const device::RaySets sets = tracers.front()->makeRays();
   log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, runs of each: {}", job.scene.name,
                        sets[gpu::kPrimaryRay].size(), sets[gpu::kDiffuseRay].size(), sets[gpu::kShadowRay].size(),
@@ -51,9 +51,9 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
     Arguments one = arguments;
     one.files = {arguments.files[i]};
     RenderJob job = loadJob(one, log);
-    job.arguments.request.settings.execution.automatic = choices;
-    report.size = job.settings().image.size;
-    report.workgroup = job.settings().execution.workgroupInUse();
+    job.settings.execution.automatic = choices;
+    report.size = job.settings.image.size;
+    report.workgroup = job.settings.execution.workgroupInUse();
     if (measureScene(device, job, log, report)) continue;
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;

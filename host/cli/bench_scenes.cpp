@@ -31,9 +31,8 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
   std::vector<Variant> variants;
   for (const SweptArguments& swept : sweeps) {
     Arguments resolved = swept.arguments;
-    resolveRequests(resolved, job.scene, log);
-    requirePossible(resolved, job.scene, log);
-    variants.push_back({swept.name, resolved.request.settings, commandLineOf(resolved, OptionGroup::image, false)});
+    render::RenderSettings settings = resolveRequests(resolved, job.scene, log);
+    variants.push_back({swept.name, std::move(settings), commandLineOf(resolved, OptionGroup::image, false)});
   }
   return variants;
 }

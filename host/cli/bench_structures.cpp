@@ -67,18 +67,16 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
     const scene::Scene scene = scene::parseScene(std::string(published.text), published.name, ".").scene;
     Arguments resolved = arguments;
     if (!resolved.request.sampleCount) resolved.request.sampleCount = kTable1Samples;
-    if (!resolved.given.contains("--sampler"))
-      resolved.request.settings.image.sampler = render::SamplerKind::stratified;
-    resolved.request.settings.image.oneSided |= published.oneSided;
-    resolveRequests(resolved, scene, log);
-    requirePossible(resolved, scene, log);
-    std::vector<RenderRow> rows = measureScene(scene, resolved.request.settings, resolved, *renderer, log);
+    if (!resolved.given.contains("--sampler")) resolved.request.image.sampler = render::SamplerKind::stratified;
+    resolved.request.image.oneSided |= published.oneSided;
+    const render::RenderSettings settings = resolveRequests(resolved, scene, log);
+    std::vector<RenderRow> rows = measureScene(scene, settings, resolved, *renderer, log);
     for (RenderRow& row : rows) {
-      const render::RenderSettings& settings = row.measurement.variant.settings;
-      if (!isPublishedWork(settings)) break;
-      if (settings.structure.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;
-      if (settings.structure.accel == render::AccelKind::bvh &&
-          settings.structure.bvhSplit == render::BvhSplit::midpoint) {
+      const render::RenderSettings& variant = row.measurement.variant.settings;
+      if (!isPublishedWork(variant)) break;
+      if (variant.structure.accel == render::AccelKind::grid) row.publishedSeconds = published.gridSeconds;
+      if (variant.structure.accel == render::AccelKind::bvh &&
+          variant.structure.bvhSplit == render::BvhSplit::midpoint) {
         row.publishedSeconds = published.bvhSeconds;
       }
     }
@@ -93,7 +91,7 @@ bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& r
     Arguments one = arguments;
     one.files = {arguments.files[i]};
     const RenderJob job = loadJob(one, log);
-    if (!append(measureScene(job.scene, job.settings(), job.arguments, *renderer, log), report)) return false;
+    if (!append(measureScene(job.scene, job.settings, job.arguments, *renderer, log), report)) return false;
   }
   return true;
 }

@@ -33,8 +33,8 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
   refuseOtherFormat(arguments.generatedFile, {".nff", ".p3f"}, "the boxes are written as NFF");
   requireCamera(loaded.scene);
   const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,
-                                                 arguments.request.settings.structure.bvhSplit,
-                                                 arguments.request.settings.structure.bvhQuality);
+                                                 arguments.request.structure.bvhSplit,
+                                                 arguments.request.structure.bvhQuality);
   const std::vector<accel::LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
   requireReadableSize(boxes.size());
   const std::uint32_t deepest = quality(bvh).depth;

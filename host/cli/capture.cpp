@@ -71,9 +71,7 @@ Capture captureOfScene(const Arguments& arguments, const Log& log) {
     throw UsageError("--pixel X,Y is missing: `candela explain SCENE` names the pixel that differs most");
   }
   const RenderJob job = loadJob(arguments, log);
-  capture::SceneRequest request;
-  request.sample = sampleAskedFor(job);
-  request.settings = job.settings();
+  capture::SceneRequest request{.settings = job.settings, .sample = sampleAskedFor(job)};
   request.device.info = vulkan::selectDevice(arguments.device);
   if (const auto other = otherDevice(arguments, request.device.info)) request.expect = {*other};
   request.shrinkSeconds = arguments.capture.shrinkSeconds;

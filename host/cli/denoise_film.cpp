@@ -68,17 +68,17 @@ void denoisePicture(image::Image& image, const image::Film& film, const Argument
 
 void requireDenoisable(const Arguments& arguments) {
   if (arguments.denoisesByOidn) denoise::requireOidn();
-  if (!arguments.denoise || arguments.request.settings.image.integrator == render::Integrator::path) return;
+  if (!arguments.denoise || arguments.request.image.integrator == render::Integrator::path) return;
   throw UsageError("--denoise: only the path tracer has the statistics that it needs; use --integrator path");
 }
 
 void requireDenoisable(const RenderJob& job) {
-  if (!job.arguments.denoise || job.settings().image.sampleCount >= 2) return;
+  if (!job.arguments.denoise || job.settings.image.sampleCount >= 2) return;
   throw UsageError("--denoise needs at least two samples per pixel; use --spp 2 or more");
 }
 
 Arguments withDenoiseLayers(Arguments arguments) {
-  if (arguments.denoise) arguments.request.settings.image.layers.add(image::Layer::moments);
+  if (arguments.denoise) arguments.request.image.layers.add(image::Layer::moments);
   return arguments;
 }
 

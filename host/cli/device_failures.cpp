@@ -36,7 +36,7 @@ bool DeviceFailures::isOne(const Error& error) const {
 // is always allowed.
 void DeviceFailures::limitBands() {
   constexpr std::uint64_t kBytesPerPixel = 256, kStep = 4, kBytesForOnePixel = 1024;
-  const render::Window window = job_.settings().image.window();
+  const render::Window window = job_.settings.image.window();
   const std::uint64_t whole = std::uint64_t{window.width} * window.height * kBytesPerPixel;
   maxBandBytes_ = std::max(std::min(maxBandBytes_, whole) / kStep, window.width * kBytesForOnePixel);
 }

@@ -13,7 +13,7 @@ class DeviceFailures {
  public:
   /// Both must outlive the object.
   DeviceFailures(const RenderJob& job, const Log& log)
-      : job_(job), log_(log), dispatchSeconds_(job.settings().execution.dispatchSeconds) {}
+      : job_(job), log_(log), dispatchSeconds_(job.settings.execution.dispatchSeconds) {}
 
   /// Returns whether the render may go on: the device was lost, or memory ran out; after a first failure, also if the
   /// device is not found any more, and with --fallback cpu if it was never found.

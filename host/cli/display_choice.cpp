@@ -22,8 +22,8 @@ image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::I
   image::DisplayTransform display = arguments.display;
   display.exposure = arguments.exposure ? *arguments.exposure : automaticExposure(image);
   if (arguments.given.contains("--tonemap")) return display;
-  if (arguments.request.settings.image.integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
-  if (arguments.request.settings.image.integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
+  if (arguments.request.image.integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
+  if (arguments.request.image.integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
   if (isFalseColour(display.toneMap)) {
     display.exposure = arguments.exposure.value_or(0);
     display.scale = falseColourScale(image, display.toneMap);

@@ -34,8 +34,7 @@ const char* layoutText(render::LayoutInUse layout) {
 
 std::string structureText(const RenderJob& job, const render::RenderStatistics& statistics) {
   return fmt::format("{} {} {} {} density {}", nameOf(statistics.structure), nameOf(statistics.bvhSplit),
-                     nameOf(statistics.bvhQuality), layoutText(statistics.layout),
-                     job.settings().structure.gridDensity);
+                     nameOf(statistics.bvhQuality), layoutText(statistics.layout), job.settings.structure.gridDensity);
 }
 
 // Films of versions without these options can be resumed, because films record these options only if they do not
@@ -54,9 +53,9 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
     settings[option.name().substr(2)] = validUtf8(value);
   }
   if (job.arguments.noiseThreshold) settings[film::kStoppingRule] = film::kCurrentStoppingRule;
-  if (job.settings().image.filmScale > 0) settings[film::kFilmScale] = fmt::to_string(job.settings().image.filmScale);
-  if (!job.settings().image.antialiasing) settings["antialiasing"] = "off";
-  if (job.settings().image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
+  if (job.settings.image.filmScale > 0) settings[film::kFilmScale] = fmt::to_string(job.settings.image.filmScale);
+  if (!job.settings.image.antialiasing) settings["antialiasing"] = "off";
+  if (job.settings.image.integrator == render::Integrator::cost) settings["accel"] = structureText(job, statistics);
   return settings;
 }
 
@@ -65,12 +64,12 @@ std::map<std::string, std::string> settingsOf(const RenderJob& job, const render
 film::FilmHeader filmHeaderOf(const RenderJob& job, const render::RenderStatistics& statistics) {
   film::FilmHeader header;
   header.sceneHash = hashText(job.scene.hash);
-  header.size = job.settings().image.size;
-  header.samplesPerPixel = job.settings().image.sampleCount;
-  header.seed = job.settings().image.seed;
+  header.size = job.settings.image.size;
+  header.samplesPerPixel = job.settings.image.sampleCount;
+  header.seed = job.settings.image.seed;
   header.settings = settingsOf(job, statistics);
-  header.layers = withSums(job.settings().image.layers);
-  header.window = job.settings().image.window();
+  header.layers = withSums(job.settings.image.layers);
+  header.window = job.settings.image.window();
   header.tracers = {{validUtf8(statistics.device), validUtf8(statistics.driver), statistics.platform,
                      statistics.kernels, versionText()}};
   return header;
@@ -82,7 +81,7 @@ void setContent(film::FilmHeader& header, const image::Film& film, const scene::
 }
 
 render::SampleRange samplesOf(const RenderJob& job) {
-  const std::uint32_t total = job.settings().image.sampleCount;
+  const std::uint32_t total = job.settings.image.sampleCount;
   const render::SampleRange range = job.arguments.samples.value_or(render::SampleRange{0, total});
   if (range.end <= total) return range;
   throw UsageError(fmt::format("--samples {}:{} exceeds the {} samples per pixel; set the total with --spp",

@@ -17,7 +17,7 @@ class FilmProgress {
 
   FilmProgress(const RenderJob& job, const render::SampleRange& range, std::uint64_t samplesBefore, Report report)
       : report_(std::move(report)),
-        total_(static_cast<double>(job.settings().image.window().width) * job.settings().image.window().height *
+        total_(static_cast<double>(job.settings.image.window().width) * job.settings.image.window().height *
                (range.end - range.first)),
         before_(samplesBefore) {}
 

@@ -13,11 +13,11 @@ namespace candela::cli {
 namespace {
 
 bool usesIntegrator(const Arguments& arguments, render::Integrator integrator) {
-  return arguments.request.settings.image.integrator == integrator;
+  return arguments.request.image.integrator == integrator;
 }
 
 bool usesAccel(const Arguments& arguments, render::AccelKind accel) {
-  return arguments.request.settings.structure.accel == accel;
+  return arguments.request.structure.accel == accel;
 }
 
 bool usesEnvironment(const Arguments& arguments) { return !arguments.loadOptions.environment.source.empty(); }
@@ -58,10 +58,10 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--aov-through-specular",
                   [](const Arguments& a) {
                     const bool mayShowLayers = a.command == Command::view;  // they are chosen in the window
-                    return mayShowLayers || !withSums(a.request.settings.image.layers).isEmpty();
+                    return mayShowLayers || !withSums(a.request.image.layers).isEmpty();
                   },
                   "renders with --aov or --denoise"},
-    SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.request.settings.image.integrator); },
+    SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.request.image.integrator); },
                   "--integrator path or whitted"},
     SpecialOption{"--light-size", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::whitted); },
                   "--integrator whitted"},
@@ -72,11 +72,10 @@ constexpr std::array kSpecialOptions{
     SpecialOption{"--layout", buildsDeviceBvh, "Vulkan devices with --accel bvh"},
     SpecialOption{"--bvh-split", [](const Arguments& a) { return usesAccel(a, render::AccelKind::bvh); },
                   "--accel bvh"},
-    SpecialOption{"--bvh-quality",
-                  [](const Arguments& a) {
-                    return buildsDeviceBvh(a) && a.request.settings.structure.bvhSplit == render::BvhSplit::sah;
-                  },
-                  "Vulkan devices with --accel bvh and --bvh-split sah"},
+    SpecialOption{
+        "--bvh-quality",
+        [](const Arguments& a) { return buildsDeviceBvh(a) && a.request.structure.bvhSplit == render::BvhSplit::sah; },
+        "Vulkan devices with --accel bvh and --bvh-split sah"},
     SpecialOption{"--kernel",
                   [](const Arguments& a) { return usesDevice(a) && usesIntegrator(a, render::Integrator::path); },
                   "Vulkan devices with --integrator path"},
@@ -103,7 +102,7 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
 
 void noteLostAlpha(const Arguments& arguments, const Log& log) {
   const bool hasOther = arguments.outputs.empty() || !arguments.checkpoint.empty() || arguments.displayServer;
-  if (arguments.request.settings.image.backdrop != render::Backdrop::none || hasOther) return;
+  if (arguments.request.image.backdrop != render::Backdrop::none || hasOther) return;
   if (std::ranges::any_of(arguments.outputs, hasAlphaChannel)) return;
   log.note(
       "--background none: JPEG, HDR and PFM files have no alpha, so that the background is black in them; write a "

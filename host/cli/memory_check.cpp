@@ -20,12 +20,12 @@ bool isMostlyPixels(const MemoryNeed& need) { return need.pixels() > need.scene 
 }  // namespace
 
 MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments) {
-  const render::Window window = arguments.request.settings.image.window();
+  const render::Window window = arguments.request.image.window();
   const std::uint64_t pixels = std::uint64_t{window.width} * window.height;
   MemoryNeed need;
   need.scene = scene::memoryOf(scene).total;
   need.structure = scene.primitives.size() * kBuildBytesPerPrimitive;
-  const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(arguments.request.settings.image.layers));
+  const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(arguments.request.image.layers));
   need.film = pixels * (sizeof(image::FilmPixel) + layerRows * sizeof(image::LayerRow));
   const std::uint64_t layerBytes = 2 * layerRows * sizeof(float);
   if (!arguments.outputs.empty()) need.pictures = pixels * (kPictureBytesPerPixel + layerBytes);
@@ -34,7 +34,7 @@ MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments) {
 
 void requireMemoryForRender(const scene::Scene& scene, const Arguments& arguments) {
   const MemoryNeed need = memoryNeedOf(scene, arguments);
-  const render::Extent size = arguments.request.settings.image.window().extent();
+  const render::Extent size = arguments.request.image.window().extent();
   requireMemory(fmt::format("{}: rendering {} primitives to {}x{} pixels", scene.name, scene.primitives.size(),
                             size.width, size.height),
                 need.total(),

@@ -81,7 +81,7 @@ std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const L
 }
 
 void requireLayerFile(const Arguments& arguments) {
-  if (arguments.request.settings.image.layers.isEmpty()) return;
+  if (arguments.request.image.layers.isEmpty()) return;
   if (!arguments.checkpoint.empty() || arguments.displayServer) return;
   if (std::ranges::any_of(arguments.outputs, image::isExr)) return;
   throw UsageError("--aov: layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE");

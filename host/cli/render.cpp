@@ -35,7 +35,7 @@ std::string meanSamples(const image::Film& film) {
 
 std::string doneText(const RenderReport& report) {
   const Arguments& arguments = report.job.arguments;
-  const std::uint32_t total = report.job.settings().image.sampleCount;
+  const std::uint32_t total = report.job.settings.image.sampleCount;
   if (report.result.interrupted) {
     const bool isTimeUp = arguments.timeLimit && report.totalSeconds >= *arguments.timeLimit;
     return fmt::format("{} after {} of {} per pixel", isTimeUp ? "stopped by --time-limit" : "interrupted",
@@ -49,13 +49,13 @@ std::string doneText(const RenderReport& report) {
 }
 
 void summarise(const RenderReport& report, const Log& log) {
-  log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(report.job.settings().image.window().extent()),
+  log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(report.job.settings.image.window().extent()),
                        doneText(report), report.totalSeconds, report.result.statistics.device));
 }
 
 image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
-  image::Image image = pictureOf(result.film, job.settings().image.hasAlpha(), metadataOf(job, result));
-  setPlace(image, job.settings().image.size, job.settings().image.window());
+  image::Image image = pictureOf(result.film, job.settings.image.hasAlpha(), metadataOf(job, result));
+  setPlace(image, job.settings.image.size, job.settings.image.window());
   if (job.arguments.denoise) denoiseResult(image, result.film, result.interrupted, job.arguments, log);
   return image;
 }
@@ -96,9 +96,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   std::optional<DisplayStream> display;
   if (arguments.displayServer) {
     display.emplace(*arguments.displayServer, shownName(job), log);
-    control.show = [&](const image::Film& film) {
-      display->show(pictureOf(film, job.settings().image.hasAlpha(), {}));
-    };
+    control.show = [&](const image::Film& film) { display->show(pictureOf(film, job.settings.image.hasAlpha(), {})); };
   }
   const TracedFilm traced = traceFilm(job, start, control, log);
   const render::RenderResult& result = traced.result;
@@ -107,7 +105,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   const bool hasPictures = writePictures(job, result, log);
   const double end = monotonicSeconds();
   RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};
-  report.badSamples.add(result.film, job.settings().image);
+  report.badSamples.add(result.film, job.settings.image);
   reportFlaws(report, log);
   if (arguments.checkpoint.empty() && writeRequested) {
     log.warning("SIGUSR1 was ignored: it writes the film of --checkpoint, and this render has none");

@@ -40,18 +40,18 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
                     {"candela.scene", job.scene.name},
                     {"candela.sceneHash", hashText(job.scene.hash)},
                     {"candela.filmHash", hashText(result.film.hash())},
-                    {"candela.samplesPerPixel", fmt::to_string(job.settings().image.sampleCount)},
-                    {verify::kSeedMetadata, fmt::to_string(job.settings().image.seed)},
+                    {"candela.samplesPerPixel", fmt::to_string(job.settings.image.sampleCount)},
+                    {verify::kSeedMetadata, fmt::to_string(job.settings.image.seed)},
                     {"candela.device", statistics.device},
                     {"candela.driver", statistics.driver},
                     {"candela.settings", settings},
                     {"candela.interrupted", result.interrupted ? "yes" : "no"}};
-  if (job.settings().image.crop) metadata["candela.crop"] = windowText(*job.settings().image.crop);
+  if (job.settings.image.crop) metadata["candela.crop"] = windowText(*job.settings.image.crop);
   if (job.arguments.samples) {
     metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
   }
-  addMatteMetadata(job.settings().image.layers, matteNamesOf(job.scene, result.film), metadata);
-  if (job.settings().image.indirectLimit) addBias(metadata, biasText(*job.settings().image.indirectLimit));
+  addMatteMetadata(job.settings.image.layers, matteNamesOf(job.scene, result.film), metadata);
+  if (job.settings.image.indirectLimit) addBias(metadata, biasText(*job.settings.image.indirectLimit));
   if (const auto& threshold = job.arguments.noiseThreshold)
     addBias(metadata, adaptiveBiasText(fmt::to_string(*threshold)));
   return metadata;

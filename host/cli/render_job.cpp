@@ -39,31 +39,38 @@ void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& 
       "emission");
 }
 
+// `arguments` are complete.
+void requirePossible(const Arguments& arguments, const render::RenderSettings& settings, const scene::Scene& scene,
+                     const Log& log) {
+  device::requireKernel(settings);
+  render::requireIntegrator(scene, settings);
+  requirePixelLimit(settings.image.size);
+  requireCropWithin(settings.image);
+  requireAdaptable(arguments);
+  requireMemoryForRender(scene, arguments);
+  noteIdleOptions(arguments, log);
+  noteLostAlpha(arguments, log);
+  warnOfDarkness(settings, scene, log);
+}
+
 }  // namespace
 
-void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
+render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
   if (!arguments.request.sampleCount && scene.requestedSamples) {
     log.detail(fmt::format("{} samples per pixel, as requested by the scene", *scene.requestedSamples));
   }
   render::RenderRequest& request = arguments.request;
   const std::uint32_t sampleCount = render::requestedSampleCount(request, scene);
-  request.settings = render::resolve(request, scene);
+  render::RenderSettings settings = render::resolve(request, scene);
   request.sampleCount = sampleCount;
-  request.size = request.settings.image.size;
-  request.accel = request.settings.structure.accel;
-  request.maxDepth = request.settings.image.maxDepth;
-}
-
-void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
-  device::requireKernel(arguments.request.settings);
-  render::requireIntegrator(scene, arguments.request.settings);
-  requirePixelLimit(arguments.request.settings.image.size);
-  requireCropWithin(arguments.request.settings.image);
-  requireAdaptable(arguments);
-  requireMemoryForRender(scene, arguments);
-  noteIdleOptions(arguments, log);
-  noteLostAlpha(arguments, log);
-  warnOfDarkness(arguments.request.settings, scene, log);
+  request.size = settings.image.size;
+  request.accel = settings.structure.accel;
+  request.maxDepth = settings.image.maxDepth;
+  request.image = settings.image;
+  request.structure = settings.structure;
+  request.execution = settings.execution;
+  requirePossible(arguments, settings, scene, log);
+  return settings;
 }
 
 scene::LoadedScene readScene(const Arguments& arguments, const Log& log) {
@@ -75,9 +82,9 @@ scene::LoadedScene readScene(const Arguments& arguments, const Log& log) {
 }
 
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log) {
-  RenderJob job{arguments, std::move(scene)};
-  resolveRequests(job.arguments, job.scene, log);
-  requirePossible(job.arguments, job.scene, log);
+  Arguments complete = arguments;
+  render::RenderSettings settings = resolveRequests(complete, *scene, log);
+  RenderJob job{std::move(complete), std::move(settings), std::move(scene)};
   return job;
 }
 

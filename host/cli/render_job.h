@@ -14,31 +14,28 @@ namespace candela::cli {
 
 struct RenderJob {
   Arguments arguments;  ///< complete: nothing depends on the scene file any more
+  render::RenderSettings settings;
   /// Jobs may share a scene, which lives as long as one of them.
   std::shared_ptr<const scene::Scene> sharedScene = std::make_shared<scene::Scene>();
   double parseSeconds = 0;
   const scene::Scene& scene = *sharedScene;
-
-  const render::RenderSettings& settings() const { return arguments.request.settings; }
 };
 
 /// Reads the first of `arguments.files`, which must have a view. Warnings about the file go to the log. Throws
 /// SceneError and FileError, and UsageError as requireUnread() does.
 scene::LoadedScene readScene(const Arguments& arguments, const Log& log);
 
-/// Combines options with a scene that has a view. Throws as requirePossible() does.
+/// Combines options with a scene that has a view. Throws as resolveRequests() does.
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log);
 
 /// Reads the first of `arguments.files`. Throws as readScene() and jobOf() do.
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
-/// Checks resolved arguments before a render. Throws UsageError if the integrator cannot render the scene, FileError if
-/// the image exceeds the limits, and OutOfMemoryError if film and scene do not fit into memory. Logs notes about
-/// options without effect and about missing lights.
-void requirePossible(const Arguments& arguments, const scene::Scene& scene, const Log& log);
-
-/// Replaces empty options by the settings of the scene file or by the defaults of the integrator.
-void resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
+/// Replaces empty options by the settings of the scene file or by the defaults of the integrator, and returns the
+/// settings. Throws UsageError if the integrator cannot render the scene, FileError if the image exceeds the limits,
+/// and OutOfMemoryError if film and scene do not fit into memory. Logs notes about options without effect and about
+/// missing lights.
+render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
 
 /// Returns the reference for kReferenceDevice, else a Vulkan device, on which `auto` means the result of `candela tune`
 /// unless --untuned is given. Throws NoDeviceError.

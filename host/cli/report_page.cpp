@@ -73,7 +73,7 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
   if (agreement.doubt() != verify::Doubt::none) page.verdict = agreement.verdict() + " " + page.verdict;
   addPaths(agreement.pixels, page);
   page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.samples)});
-  page.figures.push_back({"Seed", fmt::to_string(job.settings().image.seed)});
+  page.figures.push_back({"Seed", fmt::to_string(job.settings.image.seed)});
   page.commands = {
       commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
   return page;
@@ -89,8 +89,7 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
   addPaths(verification.paths, page);
   page.figures.push_back(
       {"Samples per pixel, each side", fmt::format("{} in {} looks", light.samplesPerPixel, light.looks)});
-  page.figures.push_back(
-      {"Seed", fmt::format("{}; each batch derives its own seed from it", job.settings().image.seed)});
+  page.figures.push_back({"Seed", fmt::format("{}; each batch derives its own seed from it", job.settings.image.seed)});
   page.figures.push_back({"Alpha and bias", fmt::format("{:g}, {:g}", verification.options.alpha, light.bias)});
   if (verification.exact) {
     const verify::ExactTest& exact = *verification.exact;

@@ -26,7 +26,7 @@ void requireVerifiable(const Arguments& arguments) {
 
 void requireComparable(const Arguments& arguments) {
   requireTwoTracers(arguments);
-  if (arguments.request.settings.image.integrator == render::Integrator::cost) {
+  if (arguments.request.image.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "
         "compared; use `candela render` to see the counts of one");
@@ -39,20 +39,20 @@ void requireExplainable(const Arguments& arguments) {
     throw UsageError(
         "--sample needs --pixel X,Y; without --pixel, sample 0 of the pixel that differs most is explained");
   }
-  explain::requirePaths(arguments.request.settings.image.integrator);
+  explain::requirePaths(arguments.request.image.integrator);
 }
 
 render::PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
-  const auto [width, height] = job.settings().image.size;
+  const auto [width, height] = job.settings.image.size;
   if (x >= width || y >= height) {
     throw UsageError(fmt::format("--pixel {},{}: outside the image of {}x{} pixels (0,0 to {},{})", x, y, width, height,
                                  width - 1, height - 1));
   }
-  if (job.arguments.sample >= job.settings().image.sampleCount) {
+  if (job.arguments.sample >= job.settings.image.sampleCount) {
     throw UsageError(fmt::format("--sample {}: a pixel has {} samples (0 to {}); use --spp {} or more",
-                                 job.arguments.sample, job.settings().image.sampleCount,
-                                 job.settings().image.sampleCount - 1, job.arguments.sample + 1));
+                                 job.arguments.sample, job.settings.image.sampleCount,
+                                 job.settings.image.sampleCount - 1, job.arguments.sample + 1));
   }
   return {x, y, job.arguments.sample};
 }

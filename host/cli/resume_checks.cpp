@@ -16,10 +16,10 @@ namespace {
 // Returns the reason, as a clause, why a film with another number of samples per pixel cannot be resumed by the job;
 // null: it can.
 const char* whyFixedCount(const RenderJob& job, std::uint32_t begunWith) {
-  render::ImageSettings before = job.settings().image;
+  render::ImageSettings before = job.settings.image;
   before.sampleCount = begunWith;
   if (before.sampler == render::SamplerKind::stratified) return "the strata of --sampler stratified depend on --spp";
-  if (before.jittersPixels() != job.settings().image.jittersPixels()) {
+  if (before.jittersPixels() != job.settings.image.jittersPixels()) {
     return "rays of one sample per pixel are not jittered, and those of several are";
   }
   return nullptr;
@@ -58,7 +58,7 @@ std::uint32_t endOf(const film::FilmHeader& film) {
 }  // namespace
 
 void adoptSampleCount(const RenderJob& job, const film::FilmReader& reader, film::FilmHeader& film) {
-  const std::uint32_t wanted = job.settings().image.sampleCount;
+  const std::uint32_t wanted = job.settings.image.sampleCount;
   if (film.samplesPerPixel == wanted) return;
   const char* const why = whyFixedCount(job, film.samplesPerPixel);
   if (why == nullptr) {

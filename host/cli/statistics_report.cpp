@@ -104,7 +104,7 @@ ordered_json toJson(const RenderReport& report) {
   json["memory"] = toJson(scene::memoryOf(report.job.scene));
   json["samples"] = statistics.samples;
   if (const auto plan = planOf(report.job.arguments)) {
-    json["adaptive"] = adaptiveJson(*plan, report.result.film, report.job.settings().image.sampleCount);
+    json["adaptive"] = adaptiveJson(*plan, report.result.film, report.job.settings.image.sampleCount);
   }
   json["rays"] = raysJson(statistics);
   json["traversalSteps"] = statistics.traversalSteps;

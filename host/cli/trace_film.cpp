@@ -45,7 +45,7 @@ FilmTrace::FilmTrace(const RenderJob& job, double start, const TraceControl& con
       log_(log),
       control_(control),
       range_(samplesOf(job)),
-      settings_(job.settings()),
+      settings_(job.settings),
       usesReference_(job.arguments.usesReference()),
       reader_(openFilm(job)),
       watch_(deadlineOf(job, start), control.stop, control.writeRequested),

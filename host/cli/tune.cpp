@@ -43,9 +43,8 @@ std::filesystem::path requireFile(const cache::DeviceKey& key) {
 
 Work workOf(const Arguments& arguments, scene::Scene scene, const Log& log) {
   Arguments resolved = arguments;
-  resolveRequests(resolved, scene, log);
-  requirePossible(resolved, scene, log);
-  return {std::move(scene), resolved.request.settings};
+  render::RenderSettings settings = resolveRequests(resolved, scene, log);
+  return {std::move(scene), std::move(settings)};
 }
 
 std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {

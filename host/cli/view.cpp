@@ -50,7 +50,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   requireWritableReport(arguments.json);
   ViewedScene scene(arguments, log);
-  const view::Choice choice{arguments.device, arguments.request.settings.image.integrator, arguments.viewLayer};
+  const view::Choice choice{arguments.device, arguments.request.image.integrator, arguments.viewLayer};
   const RenderJob first = scene.job(choice, true);
   image::DisplayTransform display = arguments.display;
   display.exposure = arguments.exposure.value_or(0);
@@ -59,7 +59,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
        .choice = choice,
        .devices = deviceNames(),
        .scene = arguments.files.front(),
-       .size = first.settings().image.size,
+       .size = first.settings.image.size,
        .mode = arguments.viewMode,
        .display = display,
        .openDevice =

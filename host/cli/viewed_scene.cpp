@@ -17,20 +17,20 @@ constexpr render::Extent kWarmUpSize{8, 8};
 
 Arguments withChoice(Arguments arguments, const view::Choice& choice) {
   arguments.device = choice.device;
-  image::LayerSet& layers = arguments.request.settings.image.layers;
+  image::LayerSet& layers = arguments.request.image.layers;
   layers.bits |= view::neededBy(choice.layer).bits;
   // Another integrator than that of the command line was chosen in the window. Only the path tracer has layers.
-  if (choice.integrator != arguments.request.settings.image.integrator && choice.integrator != render::Integrator::path)
+  if (choice.integrator != arguments.request.image.integrator && choice.integrator != render::Integrator::path)
     layers = {};
-  arguments.request.settings.image.integrator = choice.integrator;
-  arguments.request.settings.execution.dispatchSeconds = kDispatchSeconds;
+  arguments.request.image.integrator = choice.integrator;
+  arguments.request.execution.dispatchSeconds = kDispatchSeconds;
   if (!arguments.request.sampleCount) arguments.request.sampleCount = kDefaultSamples;
   return arguments;
 }
 
 // Returns whether a pixel lacks samples.
 bool isPartial(const image::Film& film, const RenderJob& job) {
-  return render::minSampleCount(film.pixels()) < job.settings().image.sampleCount;
+  return render::minSampleCount(film.pixels()) < job.settings.image.sampleCount;
 }
 
 // Writes the colours of a layer, which an 8-bit file has instead of the picture.
@@ -56,9 +56,7 @@ RenderJob ViewedScene::job(const view::Choice& choice, bool reads) {
 
 view::Sessions ViewedScene::load(const view::Choice& choice, bool reads) {
   const RenderJob job = this->job(choice, reads);
-  view::Sessions sessions;
-  sessions.scene = job.sharedScene;
-  sessions.settings = job.settings();
+  view::Sessions sessions{job.sharedScene, job.settings};
   sessions.referenceRenderer = reference::makeReferenceRenderer();
   sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
   return sessions;
@@ -92,9 +90,9 @@ void ViewedScene::save(const std::filesystem::path& file, const view::Sessions& 
   const RenderJob job = jobOf(withChoice(arguments_, choice), sessions.scene, log_);
   Metadata metadata = metadataOf(job, {film, statistics, isPartial(film, job), {}});
   addMovedCamera(camera, *sessions.scene->camera, metadata);
-  const image::Image image = pictureOf(film, job.settings().image.hasAlpha(), std::move(metadata));
+  const image::Image image = pictureOf(film, job.settings.image.hasAlpha(), std::move(metadata));
   if (choice.layer && image::isEightBit(file))
-    return writeLayer(file, film, *choice.layer, display, job.settings().image.sampleCount);
+    return writeLayer(file, film, *choice.layer, display, job.settings.image.sampleCount);
   writeImage(file, image, display);
 }
 

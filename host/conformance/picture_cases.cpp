@@ -59,11 +59,12 @@ constexpr std::array<Named<Extent>, 5> kWorkgroups{
 Picture basicPicture(const std::string& scene = "cornell") {
   Picture picture;
   picture.scene = scene;
-  picture.settings.image.size = {kSide, kSide};
-  picture.settings.image.sampleCount = kSamples;
-  picture.settings.execution.threads = 1;
-  picture.settings.execution.kernel = KernelKind::megakernel;
-  picture.settings.structure.bvhLayout = BvhLayout::cwbvh;
+  picture.request.size = Extent{kSide, kSide};
+  picture.request.sampleCount = kSamples;
+  picture.request.accel = AccelKind::bvh;
+  picture.request.execution.threads = 1;
+  picture.request.execution.kernel = KernelKind::megakernel;
+  picture.request.structure.bvhLayout = BvhLayout::cwbvh;
   return picture;
 }
 
@@ -72,7 +73,7 @@ class Table {
   explicit Table(const PictureTest& test) : test_(test) {}
 
   void add(const std::string& path, const std::string& group, Picture picture) {
-    picture.settings.image.seed = test_.seed;
+    picture.request.image.seed = test_.seed;
     picture.alpha = test_.alpha;
     cases_.push_back({fmt::format("kernel.{}.{}", path, picture.scene), "kernel." + group,
                       [picture](Workbench& bench) { return comparePicture(picture, bench); },
@@ -89,9 +90,9 @@ class Table {
 void addSequences(Table& table) {
   for (const auto& [kernelName, kernel] : kKernels) {
     Picture picture = basicPicture();
-    picture.settings.structure.accel = AccelKind::none;
-    picture.settings.structure.bvhLayout = BvhLayout::automatic;
-    picture.settings.execution.kernel = kernel;
+    picture.request.accel = AccelKind::none;
+    picture.request.structure.bvhLayout = BvhLayout::automatic;
+    picture.request.execution.kernel = kernel;
     table.add(fmt::format("{}.layout.sequential", kernelName), kernelName, picture);
   }
 }
@@ -101,11 +102,11 @@ void addStructures(Table& table) {
     for (const auto& [structureName, structure] : kStructures) {
       for (const auto& [loadsName, loads] : kLoads) {
         Picture picture = basicPicture();
-        picture.settings.structure.accel = structure.accel;
-        picture.settings.structure.bvhSplit = structure.split;
-        picture.settings.structure.bvhLayout = structure.layout;
-        picture.settings.execution.kernel = kernel;
-        picture.settings.execution.sceneLoads = loads;
+        picture.request.accel = structure.accel;
+        picture.request.structure.bvhSplit = structure.split;
+        picture.request.structure.bvhLayout = structure.layout;
+        picture.request.execution.kernel = kernel;
+        picture.request.execution.sceneLoads = loads;
         table.add(fmt::format("{}.layout.{}.{}", kernelName, structureName, loadsName), kernelName, picture);
       }
     }
@@ -116,7 +117,7 @@ void addScenes(Table& table) {
   for (const auto& [kernelName, kernel] : kKernels) {
     for (const char* const scene : {"primitives", "depth_of_field", "terrain"}) {
       Picture picture = basicPicture(scene);
-      picture.settings.execution.kernel = kernel;
+      picture.request.execution.kernel = kernel;
       table.add(fmt::format("{}.scene", kernelName), "scene", picture);
     }
   }
@@ -125,8 +126,8 @@ void addScenes(Table& table) {
 void addIntegrators(Table& table) {
   for (const auto& [name, integrator] : kIntegrators) {
     Picture picture = basicPicture("primitives");
-    picture.settings.image.integrator = integrator;
-    if (integrator == Integrator::whitted) picture.settings.image.maxDepth = kWhittedDepth;
+    picture.request.image.integrator = integrator;
+    if (integrator == Integrator::whitted) picture.request.maxDepth = kWhittedDepth;
     table.add(fmt::format("integrator.{}", name), "integrator", picture);
   }
 }
@@ -134,7 +135,7 @@ void addIntegrators(Table& table) {
 void addSamplers(Table& table) {
   for (const auto& [name, sampler] : kSamplers) {
     Picture picture = basicPicture();
-    picture.settings.image.sampler = sampler;
+    picture.request.image.sampler = sampler;
     table.add(fmt::format("megakernel.sampler.{}", name), "sampler", picture);
   }
 }
@@ -148,7 +149,7 @@ void addMaterials(Table& table) {
 void addWorkgroups(Table& table) {
   for (const auto& [name, size] : kWorkgroups) {
     Picture picture = basicPicture();
-    picture.settings.execution.workgroup = size;
+    picture.request.execution.workgroup = size;
     table.add(fmt::format("megakernel.workgroup.{}", name), "workgroup", picture);
   }
 }

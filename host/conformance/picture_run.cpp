@@ -32,18 +32,19 @@ std::string differenceOf(const verify::AgreementReport& report) {
 
 Finding compareOn(render::Renderer& device, const Picture& picture, render::Renderer& reference) {
   const scene::Scene& scene = sceneNamed(picture.scene);
-  const verify::AgreementReport report = verify::compareTracers(scene, picture.settings, device, reference,
+  const verify::AgreementReport report = verify::compareTracers(scene, picture.settings(), device, reference,
                                                                 {.alpha = picture.alpha}, {});
   if (report.deviceStatistics.truncated > 0) {
     return failed(fmt::format("the device stopped {} loops of the kernel", report.deviceStatistics.truncated));
   }
   if (report.conclusion() == verify::Conclusion::same) return passed();
-  return failed(differenceOf(report) + "\n" + explanationOf(scene, picture.settings, report.pixels, device, reference));
+  return failed(differenceOf(report) + "\n" +
+                explanationOf(scene, picture.settings(), report.pixels, device, reference));
 }
 
 // Returns the feature of the picture that the device lacks; empty: it has all.
 std::string missingFor(const Picture& picture, const vulkan::DeviceInfo& device) {
-  const render::Extent workgroup = picture.settings.execution.workgroupInUse();
+  const render::Extent workgroup = picture.request.execution.workgroupInUse();
   if (!device::hasWorkgroup(device, workgroup)) return missingShape(device, {workgroup.width, workgroup.height, 1});
   if (picture.subgroupSize == 0 || hasSubgroupSize(device, picture.subgroupSize)) return "";
   return missingSubgroupSize(device, picture.subgroupSize);
@@ -55,6 +56,8 @@ std::unique_ptr<render::Renderer> rendererFor(const Picture& picture, const Work
 }
 
 }  // namespace
+
+render::RenderSettings Picture::settings() const { return render::resolve(request, sceneNamed(scene)); }
 
 Finding comparePicture(const Picture& picture, Workbench& workbench) {
   if (std::string missing = missingFor(picture, workbench.info()); !missing.empty()) return skipped(std::move(missing));
@@ -69,10 +72,9 @@ capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo
   const scene::Scene& scene = sceneNamed(picture.scene);
   const std::unique_ptr<render::Renderer> renderer = rendererFor(picture, workbench);
   verify::PathRenders ignored;
-  const auto pixels = verify::comparePaths(scene, picture.settings, *renderer, workbench.reference(), picture.alpha, {},
-                                           ignored);
-  capture::SceneRequest request;
-  request.settings = picture.settings;
+  const auto pixels = verify::comparePaths(scene, picture.settings(), *renderer, workbench.reference(), picture.alpha,
+                                           {}, ignored);
+  capture::SceneRequest request{.settings = picture.settings()};
   request.settings.image.sampleCount = 1;
   request.sample = {pixels->worstX, pixels->worstY, 0};
   request.device = {device, picture.subgroupSize, prepareShader};

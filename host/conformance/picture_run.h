@@ -3,7 +3,7 @@
 #include <string>
 
 #include "host/conformance/case.h"
-#include "host/render/settings.h"
+#include "host/render/request.h"
 
 namespace candela::conformance {
 
@@ -12,9 +12,11 @@ inline constexpr double kPictureShrinkSeconds = 20;
 
 struct Picture {
   std::string scene = "cornell";  ///< see scenes.h
-  render::RenderSettings settings;
+  render::RenderRequest request{};
   std::uint32_t subgroupSize = 0;  ///< that pipelines require; 0: as the driver chooses
   double alpha = 0;                ///< PictureTest::alpha
+
+  render::RenderSettings settings() const;
 };
 
 /// Renders the picture on both sides and computes the verdict of host/verify: decidable samples are equal, and the

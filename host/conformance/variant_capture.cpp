@@ -66,7 +66,7 @@ class SampleFilms {
  public:
   SampleFilms(const Picture& picture, const vulkan::DeviceInfo& device, const vulkan::PrepareShader& form)
       : workbench_(device, {}, form),
-        session_(workbench_.renderer().prepare(sceneNamed(picture.scene), picture.settings)) {}
+        session_(workbench_.renderer().prepare(sceneNamed(picture.scene), picture.settings())) {}
 
   image::Film film(std::uint32_t sample) {
     session_->advance({sample, sample + 1}, {});
@@ -80,7 +80,7 @@ class SampleFilms {
 
 render::PixelSample firstDifference(const Picture& picture, const vulkan::DeviceInfo& device, BothForms& forms) {
   SampleFilms plain(picture, device, forms.plain()), variant(picture, device, forms.variant());
-  for (std::uint32_t sample = 0; sample < picture.settings.image.sampleCount; ++sample) {
+  for (std::uint32_t sample = 0; sample < *picture.request.sampleCount; ++sample) {
     const image::Film a = plain.film(sample), b = variant.film(sample);
     for (std::uint32_t i = 0; i < a.pixels().size(); ++i) {
       if (std::memcmp(&a.pixels()[i], &b.pixels()[i], sizeof(image::FilmPixel)) == 0) continue;
@@ -94,8 +94,7 @@ render::PixelSample firstDifference(const Picture& picture, const vulkan::Device
 
 capture::Capture captureForms(const Picture& picture, const Variant& variant, const vulkan::DeviceInfo& device) {
   BothForms forms(variant);
-  capture::SceneRequest request;
-  request.settings = picture.settings;
+  capture::SceneRequest request{.settings = picture.settings()};
   request.sample = firstDifference(picture, device, forms);
   request.device = {device, 0, forms.variant()};
   request.expect = {device, 0, forms.plain()};

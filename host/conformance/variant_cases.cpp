@@ -36,19 +36,20 @@ const std::array kKernelRows{
     KernelRow{"views", Integrator::ao, KernelKind::megakernel, {"primitives"}}};
 
 Picture pictureOf(const KernelRow& row, const std::string& scene) {
-  Picture picture{scene, {}, 0};
-  picture.settings.image.size = {kVariantSide, kVariantSide};
-  picture.settings.image.sampleCount = kVariantSamples;
-  picture.settings.image.integrator = row.integrator;
-  if (row.integrator == Integrator::whitted) picture.settings.image.maxDepth = kVariantDepth;
-  picture.settings.execution.threads = 1;
-  picture.settings.execution.kernel = row.kernel;
-  picture.settings.structure.bvhLayout = render::BvhLayout::cwbvh;
+  Picture picture{.scene = scene};
+  picture.request.size = render::Extent{kVariantSide, kVariantSide};
+  picture.request.sampleCount = kVariantSamples;
+  picture.request.accel = render::AccelKind::bvh;
+  picture.request.image.integrator = row.integrator;
+  if (row.integrator == Integrator::whitted) picture.request.maxDepth = kVariantDepth;
+  picture.request.execution.threads = 1;
+  picture.request.execution.kernel = row.kernel;
+  picture.request.structure.bvhLayout = render::BvhLayout::cwbvh;
   return picture;
 }
 
 Observation observeFilm(const Picture& picture, Workbench& workbench) {
-  image::Film film = workbench.renderer().render(sceneNamed(picture.scene), picture.settings, {}).film;
+  image::Film film = workbench.renderer().render(sceneNamed(picture.scene), picture.settings(), {}).film;
   return {fmt::format("film {:016x}", film.hash()), {}, std::move(film)};
 }
 

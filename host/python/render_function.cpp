@@ -62,7 +62,7 @@ Film filmOf(const cli::RenderJob& job, std::vector<std::filesystem::path> files,
             film::FilmHeader header, const film::WorkReport& work, double seconds, const Log& log) {
   auto film = std::make_shared<PythonFilm>();
   cli::RenderReport report{job, result, 0, seconds, {}, work};
-  report.badSamples.add(result.film, job.settings().image);
+  report.badSamples.add(result.film, job.settings.image);
   reportFlaws(report, log);
   film->report = jsonText(toJson(report));
   film->metadata = metadataOf(job, result);

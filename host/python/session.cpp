@@ -18,7 +18,7 @@ PythonSession::PythonSession(const cli::RenderJob& job, std::vector<std::filesys
       files_(std::move(files)),
       log_(std::move(log)),
       renderer_(makeRenderer(job_.arguments, *log_)),
-      session_(renderer_->prepare(job_.scene, job_.settings())) {}
+      session_(renderer_->prepare(job_.scene, job_.settings)) {}
 
 render::SampleRange PythonSession::next(std::uint32_t count) const {
   return {done_, done_ + std::min(count, total() - done_)};
@@ -36,7 +36,7 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   if (!first_) first_ = wanted.first;
   wanted_ = std::max(wanted_, wanted.end);
   if (isComplete) {
-    const render::Extent size = job_.settings().image.window().extent();
+    const render::Extent size = job_.settings.image.window().extent();
     done_ = std::max(done_, wanted.end);
     watch.report(1, std::uint64_t{size.width} * size.height * (wanted.end - wanted.first));
   }
@@ -65,7 +65,7 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
 
 void PythonSession::reset(std::uint32_t seed) {
   session_->reset(seed, total());
-  job_.arguments.request.settings.image.seed = seed;
+  job_.arguments.request.image.seed = job_.settings.image.seed = seed;
   first_.reset();
   done_ = wanted_ = 0;
   seconds_ = 0;

@@ -24,7 +24,7 @@ class PythonSession {
   std::shared_ptr<PythonFilm> film();
   void reset(std::uint32_t seed);
 
-  std::uint32_t total() const { return job_.settings().image.sampleCount; }
+  std::uint32_t total() const { return job_.settings.image.sampleCount; }
   std::uint32_t done() const { return done_; }
   PythonLog& log() { return *log_; }
 

@@ -17,12 +17,15 @@ AccelKind accelOf(const scene::Scene& scene) {
 
 }  // namespace
 
+RenderSettings::RenderSettings(const RenderRequest& request)
+    : image(request.image), structure(request.structure), execution(request.execution) {}
+
 std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene) {
   return request.sampleCount.value_or(scene.requestedSamples.value_or(ImageSettings{}.sampleCount));
 }
 
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) {
-  RenderSettings settings = request.settings;
+  RenderSettings settings(request);
   const std::uint32_t samples = requestedSampleCount(request, scene);
   settings.image.antialiasing = samples > 0;
   settings.image.sampleCount = samples > 0 ? samples : 1;

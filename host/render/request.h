@@ -16,7 +16,10 @@ struct RenderRequest {
   std::optional<AccelKind> accel;          ///< default: BVH
   std::optional<std::uint32_t> maxDepth;   ///< default: defaultMaxDepth()
   std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
-  RenderSettings settings;                 ///< all other settings; those that the members above decide are not read
+  /// All other settings; those that the members above decide are not read.
+  ImageSettings image;
+  StructureSettings structure;
+  ExecutionSettings execution;
 };
 
 /// Returns the number of samples per pixel that `request` and `scene` request; 0 as above.

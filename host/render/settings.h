@@ -9,6 +9,10 @@
 #include "host/image/layers.h"
 #include "host/render/extent.h"
 
+namespace candela::scene {
+struct Scene;
+}
+
 namespace candela::render {
 
 enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
@@ -141,10 +145,18 @@ struct ExecutionSettings {
   bool operator==(const ExecutionSettings&) const = default;
 };
 
+struct RenderRequest;
+
+/// The settings of a render of one scene. Only resolve() makes them, so that a renderer never ignores the size, the
+/// number of samples or the structure that the scene requests; they may be changed afterwards.
 struct RenderSettings {
   ImageSettings image;
   StructureSettings structure;
   ExecutionSettings execution;
+
+ private:
+  explicit RenderSettings(const RenderRequest& request);
+  friend RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
 };
 
 }  // namespace candela::render

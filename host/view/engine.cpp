@@ -27,8 +27,8 @@ std::shared_ptr<const std::map<std::uint32_t, std::string>> matteNamesOf(const s
 }  // namespace
 
 Engine::Engine(EngineHooks hooks, Choice choice, Mode mode)
-    : hooks_(std::move(hooks)), choice_(std::move(choice)), mode_(mode) {
-  adopt(hooks_.load(choice_, false));
+    : hooks_(std::move(hooks)), choice_(std::move(choice)), mode_(mode), sessions_(hooks_.load(choice_, false)) {
+  adopt(std::move(sessions_));
   startDevice();
   publish();
   thread_ = std::thread([this] { loop(); });
@@ -107,9 +107,7 @@ void Engine::startDevice() {
   next_.isPreparing = !choice_.usesReference();
   if (!next_.isPreparing) return;
   coming_.start([add = hooks_.addDevice, choice = choice_, scene = sessions_.scene, settings = sessions_.settings] {
-    Sessions made;
-    made.scene = scene;
-    made.settings = settings;
+    Sessions made{scene, settings};
     add(choice, made);
     return made;
   });

@@ -13,9 +13,9 @@ namespace candela::view {
 struct Sessions {
   std::shared_ptr<const scene::Scene> scene;
   render::RenderSettings settings;  ///< `image.size` is the full resolution
-  std::unique_ptr<render::Renderer> deviceRenderer, referenceRenderer;
-  std::unique_ptr<render::Session> device, reference;  ///< the device's is null if only the reference renders
-  std::string deviceName;
+  std::unique_ptr<render::Renderer> deviceRenderer{}, referenceRenderer{};
+  std::unique_ptr<render::Session> device{}, reference{};  ///< the device's is null if only the reference renders
+  std::string deviceName{};
 
   render::Session* session(Side side) const { return side == Side::device ? device.get() : reference.get(); }
 };

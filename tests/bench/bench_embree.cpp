@@ -8,6 +8,7 @@
 #include "host/core/errors.h"
 #include "host/formats/load_scene.h"
 #include "tests/bench/embree_tracer.h"
+#include "tests/reference/default_settings.h"
 
 using namespace candela;
 using namespace candela::bench;
@@ -72,7 +73,7 @@ int main(int argumentCount, char** arguments) {
     return static_cast<int>(ExitCode::usage);
   }
   try {
-    render::RenderSettings settings;
+    render::RenderSettings settings = render::defaultSettings();
     const auto side = static_cast<std::uint32_t>(std::stoul(argument(2, "512")));
     settings.image.size = {side, side};
     const scene::Scene scene = formats::loadScene(arguments[1]).scene;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "tests/bench/fake_renderer.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::bench {
 namespace {
@@ -13,7 +14,7 @@ const std::vector<render::AccelKind> kKinds{render::AccelKind::none, render::Acc
 std::vector<Variant> threeVariants() {
   std::vector<Variant> variants;
   for (const render::AccelKind kind : kKinds) {
-    variants.push_back({"variant", render::RenderSettings{}});
+    variants.push_back({"variant", render::defaultSettings()});
     variants.back().settings.structure.accel = kind;
   }
   return variants;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/bench/fake_renderer.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::bench {
 namespace {
@@ -13,7 +14,7 @@ using Catch::Contains;
 
 StructureReport structureReportOf(std::vector<ScriptedRun> script) {
   FakeRenderer renderer(std::move(script));
-  const std::vector<Variant> variants = structureVariants(render::RenderSettings{});
+  const std::vector<Variant> variants = structureVariants(render::defaultSettings());
   StructureReport report;
   for (Measurement& m : measureInterleaved(renderer, scene::Scene{}, variants, 1, {})) {
     report.rows.push_back({"room", 0x1234, std::move(m)});
@@ -22,7 +23,7 @@ StructureReport structureReportOf(std::vector<ScriptedRun> script) {
 }
 
 TEST_CASE("the compared structures are a grid, a BVH with midpoint splits and a SAH BVH") {
-  const auto variants = structureVariants(render::RenderSettings{});
+  const auto variants = structureVariants(render::defaultSettings());
   REQUIRE(variants.size() == 3);
   CHECK(variants[0].settings.structure.accel == render::AccelKind::grid);
   CHECK(variants[1].settings.structure.accel == render::AccelKind::bvh);

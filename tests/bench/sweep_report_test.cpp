@@ -4,13 +4,15 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
+#include "tests/reference/default_settings.h"
+
 namespace candela::bench {
 namespace {
 
 using Catch::Contains;
 
 Measurement measurementOf(const std::string& name, double seconds) {
-  Measurement m{.variant = {name, render::RenderSettings{}}};
+  Measurement m{.variant = {name, render::defaultSettings()}};
   m.variant.settings.image.size = {10, 10};
   m.statistics.samples = 1'000'000;
   m.statistics.cameraRays = 1'000'000;

@@ -5,17 +5,22 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/reference/default_settings.h"
+
 namespace candela::cli {
 namespace {
 
 const render::BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .seed = 9, .sampleCount = 64};
 
 RenderJob jobWith(render::Integrator integrator, render::SamplerKind sampler) {
-  RenderJob job;
+  RenderJob job{{}, render::defaultSettings()};
   job.arguments.files = {"a scene.p3f"};
   job.arguments.request.sampleCount = 64;
-  job.arguments.request.settings.image.integrator = integrator;
-  job.arguments.request.settings.image.sampler = sampler;
+  job.arguments.request.image.integrator = integrator;
+  job.arguments.request.image.sampler = sampler;
+  job.settings.image.sampleCount = 64;
+  job.settings.image.integrator = integrator;
+  job.settings.image.sampler = sampler;
   return job;
 }
 
@@ -23,7 +28,7 @@ render::BadSampleTally tallyOfOne() {
   image::Film film(3, 2);
   film.addSample(2, 1, glm::dvec3(1e9), 5);
   film.addSample(2, 1, glm::dvec3(1e9), 6);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {3, 2};
   settings.image.seed = 9;
   settings.image.sampleCount = 64;

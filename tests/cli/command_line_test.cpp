@@ -41,18 +41,18 @@ TEST_CASE("defaults of options are those of the settings") {
   CHECK_FALSE(arguments.request.accel);
   CHECK_FALSE(arguments.request.maxDepth);
   CHECK(arguments.device.empty());
-  CHECK(arguments.request.settings.image.seed == 0);
-  CHECK(arguments.request.settings.image.maxDepth == 64);
-  CHECK(arguments.request.settings.image.rouletteStart == 4);
-  CHECK(arguments.request.settings.image.nextEventEstimation);
-  CHECK(arguments.request.settings.image.sampler == render::SamplerKind::sobol);
+  CHECK(arguments.request.image.seed == 0);
+  CHECK(arguments.request.image.maxDepth == 64);
+  CHECK(arguments.request.image.rouletteStart == 4);
+  CHECK(arguments.request.image.nextEventEstimation);
+  CHECK(arguments.request.image.sampler == render::SamplerKind::sobol);
   CHECK(arguments.verbosity() == Verbosity::normal);
 }
 
 TEST_CASE("repeated outputs add up, and of other repeated options the last one counts") {
   const Arguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
   CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png", "b.exr"});
-  CHECK(arguments.request.settings.image.seed == 2);
+  CHECK(arguments.request.image.seed == 2);
 }
 
 TEST_CASE("a negative number is a value, not an option") {
@@ -116,7 +116,7 @@ TEST_CASE("a dash as scene is stdin") {
 
 TEST_CASE("a short option takes its value with or without an equals sign") {
   CHECK(parse({"a.p3f", "-o=a.png"}).outputs == std::vector<std::filesystem::path>{"a.png"});
-  CHECK(parse({"a.p3f", "-oa.png", "-t=4"}).request.settings.execution.threads == 4);
+  CHECK(parse({"a.p3f", "-oa.png", "-t=4"}).request.execution.threads == 4);
   CHECK(parse({"-o", "a.png", "--", "-o=a.p3f"}).files == std::vector<std::string>{"-o=a.p3f"});
 }
 

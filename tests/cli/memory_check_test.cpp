@@ -25,7 +25,7 @@ scene::Scene heavyScene(std::size_t count) {
 /// Returns the message that refuses a render of one pixel under a budget.
 std::string refusalOf(const scene::Scene& scene, std::uint64_t budget) {
   Arguments arguments;
-  arguments.request.settings.image.size = {1, 1};
+  arguments.request.image.size = {1, 1};
   limitMemory(budget);
   try {
     requireMemoryForRender(scene, arguments);

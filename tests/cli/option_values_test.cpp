@@ -130,8 +130,8 @@ TEST_CASE("a duration may have a unit, and prints in seconds") {
 
 TEST_CASE("settings print as the command line that states them") {
   Arguments arguments;
-  arguments.request.settings.image.seed = 7;
-  arguments.request.settings.image.oneSided = true;
+  arguments.request.image.seed = 7;
+  arguments.request.image.oneSided = true;
   CHECK(commandLineOf(arguments, OptionGroup::image, true) == "--seed 7 --one-sided");
   arguments.device = "Radeon (TM) 'X'";
   CHECK(commandLineOf(arguments, OptionGroup::execution, true) == "--device 'Radeon (TM) '\\''X'\\'''");

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 #include <sstream>
+#include <type_traits>
 
 #include "host/cli/render_images.h"
 #include "host/view/camera_text.h"
@@ -18,6 +19,10 @@ scene::Scene sceneWithCamera() {
   return scene;
 }
 
+// A caller cannot write settings that ignore what the scene requests.
+static_assert(!std::is_default_constructible_v<render::RenderSettings>);
+static_assert(!std::is_constructible_v<render::RenderSettings, render::RenderRequest>);
+
 }  // namespace
 
 TEST_CASE("the command line takes precedence over the file, and the file over the default") {
@@ -27,18 +32,18 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
 
   Arguments byDefault;
   resolveRequests(byDefault, scene, log);
-  CHECK(byDefault.request.settings.image.sampleCount == 16);
-  CHECK(byDefault.request.settings.structure.accel == render::AccelKind::bvh);
-  CHECK(byDefault.request.settings.image.size.width == 40);
-  CHECK(byDefault.request.settings.image.size.height == 30);
+  CHECK(byDefault.request.image.sampleCount == 16);
+  CHECK(byDefault.request.structure.accel == render::AccelKind::bvh);
+  CHECK(byDefault.request.image.size.width == 40);
+  CHECK(byDefault.request.image.size.height == 30);
   CHECK(sink.str().empty());
 
   scene.requestedSamples = 225;
   scene.requestedAccel = scene::RequestedAccel::none;
   Arguments byFile;
   resolveRequests(byFile, scene, log);
-  CHECK(byFile.request.settings.image.sampleCount == 225);
-  CHECK(byFile.request.settings.structure.accel == render::AccelKind::none);
+  CHECK(byFile.request.image.sampleCount == 225);
+  CHECK(byFile.request.structure.accel == render::AccelKind::none);
   CHECK(sink.str() == "candela: 225 samples per pixel, as requested by the scene\n");
 
   Arguments byOption;
@@ -46,9 +51,9 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
   byOption.request.accel = render::AccelKind::bvh;
   byOption.request.size = render::Extent{5, 6};
   resolveRequests(byOption, scene, log);
-  CHECK(byOption.request.settings.image.sampleCount == 3);
-  CHECK(byOption.request.settings.structure.accel == render::AccelKind::bvh);
-  CHECK(byOption.request.settings.image.size.height == 6);
+  CHECK(byOption.request.image.sampleCount == 3);
+  CHECK(byOption.request.structure.accel == render::AccelKind::bvh);
+  CHECK(byOption.request.image.size.height == 6);
 }
 
 TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
@@ -57,13 +62,13 @@ TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
   scene.requestedSamples = 0;
   Arguments byFile;
   resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
-  CHECK(byFile.request.settings.image.sampleCount == 1);
-  CHECK_FALSE(byFile.request.settings.image.jittersPixels());
+  CHECK(byFile.request.image.sampleCount == 1);
+  CHECK_FALSE(byFile.request.image.jittersPixels());
   CHECK(byFile.request.sampleCount == 0u);
   Arguments byOption;
   byOption.request.sampleCount = 1;
   resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
-  CHECK(byOption.request.settings.image.jittersPixels());
+  CHECK(byOption.request.image.jittersPixels());
 }
 
 TEST_CASE("a structure that only the scene requests is a preference") {
@@ -72,11 +77,11 @@ TEST_CASE("a structure that only the scene requests is a preference") {
   scene.requestedAccel = scene::RequestedAccel::none;
   Arguments byFile;
   resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
-  CHECK(byFile.request.settings.structure.accelIsPreference);
+  CHECK(byFile.request.structure.accelIsPreference);
   Arguments byOption;
   byOption.request.accel = render::AccelKind::none;
   resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
-  CHECK_FALSE(byOption.request.settings.structure.accelIsPreference);
+  CHECK_FALSE(byOption.request.structure.accelIsPreference);
 }
 
 TEST_CASE("the maximum depth is that of the integrator unless the command line states it") {
@@ -84,16 +89,16 @@ TEST_CASE("the maximum depth is that of the integrator unless the command line s
   const Log log(sink, Verbosity::normal);
   Arguments path;
   resolveRequests(path, sceneWithCamera(), log);
-  CHECK(path.request.settings.image.maxDepth == 64);
+  CHECK(path.request.image.maxDepth == 64);
   Arguments whitted;
-  whitted.request.settings.image.integrator = render::Integrator::whitted;
+  whitted.request.image.integrator = render::Integrator::whitted;
   resolveRequests(whitted, sceneWithCamera(), log);
-  CHECK(whitted.request.settings.image.maxDepth == 4);
+  CHECK(whitted.request.image.maxDepth == 4);
   Arguments stated;
-  stated.request.settings.image.integrator = render::Integrator::whitted;
+  stated.request.image.integrator = render::Integrator::whitted;
   stated.request.maxDepth = 7;
   resolveRequests(stated, sceneWithCamera(), log);
-  CHECK(stated.request.settings.image.maxDepth == 7);
+  CHECK(stated.request.image.maxDepth == 7);
 }
 
 TEST_CASE("images of a camera that is not the scene's name it") {
@@ -116,7 +121,7 @@ TEST_CASE("a file can request each of the structures") {
     scene.requestedAccel = requested;
     Arguments arguments;
     resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
-    CHECK(arguments.request.settings.structure.accel == accel);
+    CHECK(arguments.request.structure.accel == accel);
   }
   CHECK(sink.str().empty());
 }

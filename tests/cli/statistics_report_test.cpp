@@ -5,8 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/reference/default_settings.h"
+
 namespace candela::cli {
 namespace {
+
+RenderJob madeJob() { return {{}, render::defaultSettings()}; }
 
 render::RenderResult exampleResult() {
   render::RenderResult result;
@@ -30,7 +34,7 @@ render::RenderResult exampleResult() {
 
 TEST_CASE("rates are per second of tracing") {
   const render::RenderResult result = exampleResult();
-  const auto json = toJson(RenderReport{RenderJob{}, result, 0.5, 4});
+  const auto json = toJson(RenderReport{madeJob(), result, 0.5, 4});
   CHECK(json["msamplesPerSecond"] == 2.0);
   CHECK(json["mraysPerSecond"] == 6.0);
   CHECK(json["verticesPerSample"] == 2.0);
@@ -45,7 +49,7 @@ TEST_CASE("the choices in use have their names on the command line, and empty te
   using namespace render;
   RenderResult result = exampleResult();
   const auto names = [&] {
-    const auto json = toJson(RenderReport{RenderJob{}, result, 0, 0});
+    const auto json = toJson(RenderReport{madeJob(), result, 0, 0});
     std::vector<std::string> texts;
     for (const char* key : {"structure", "bvhSplit", "bvhQuality", "layout", "kernel", "sceneLoads"}) {
       texts.push_back(json[key]);
@@ -77,9 +81,9 @@ TEST_CASE("the choices in use have their names on the command line, and empty te
 
 TEST_CASE("rays of the Whitted tracer are reported by kind, those of paths are not") {
   render::RenderResult result = exampleResult();
-  CHECK_FALSE(toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"].contains("reflected"));
+  CHECK_FALSE(toJson(RenderReport{madeJob(), result, 0, 0})["rays"].contains("reflected"));
   result.statistics.treeRays = {.cameraHits = 3, .reflected = 4, .refracted = 1};
-  const auto rays = toJson(RenderReport{RenderJob{}, result, 0, 0})["rays"];
+  const auto rays = toJson(RenderReport{madeJob(), result, 0, 0})["rays"];
   CHECK(rays["cameraHits"] == 3);
   CHECK(rays["reflected"] == 4);
   CHECK(rays["refracted"] == 1);
@@ -88,7 +92,7 @@ TEST_CASE("rays of the Whitted tracer are reported by kind, those of paths are n
 
 TEST_CASE("dispatch times are reported in seconds") {
   const render::RenderResult result = exampleResult();
-  const auto dispatch = toJson(RenderReport{RenderJob{}, result, 0, 0})["dispatches"];
+  const auto dispatch = toJson(RenderReport{madeJob(), result, 0, 0})["dispatches"];
   CHECK(dispatch["count"] == 100);
   CHECK(dispatch["medianSeconds"] == 50.5);
   CHECK(dispatch["p99Seconds"] == 99.0);
@@ -96,7 +100,7 @@ TEST_CASE("dispatch times are reported in seconds") {
 }
 
 TEST_CASE("the report of a render without samples divides nothing by 0") {
-  const auto json = toJson(RenderReport{RenderJob{}, render::RenderResult{}, 0, 0});
+  const auto json = toJson(RenderReport{madeJob(), render::RenderResult{}, 0, 0});
   CHECK(json["msamplesPerSecond"] == 0.0);
   CHECK(json["verticesPerSample"] == 0.0);
   CHECK(json["dispatches"]["medianSeconds"] == 0.0);
@@ -107,7 +111,7 @@ TEST_CASE("faults of volumes are reported where they are too many for rounding")
   const auto reported = [&](std::uint64_t faults, Verbosity verbosity) {
     result.statistics.volumeFaults = faults;
     std::ostringstream sink;
-    reportFlaws(RenderReport{RenderJob{}, result, 0, 0}, Log(sink, verbosity));
+    reportFlaws(RenderReport{madeJob(), result, 0, 0}, Log(sink, verbosity));
     return sink.str();
   };
   CHECK(reported(0, Verbosity::verbose).empty());
@@ -121,10 +125,10 @@ TEST_CASE("faults of volumes are reported where they are too many for rounding")
 }
 
 TEST_CASE("settings are typed: numbers, words and flags") {
-  RenderJob job;
-  job.arguments.request.settings.image.oneSided = true;
+  RenderJob job = madeJob();
+  job.arguments.request.image.oneSided = true;
   job.arguments.request.maxDepth = 64;
-  job.arguments.request.settings.image.seed = 4294967295u;
+  job.arguments.request.image.seed = 4294967295u;
   const auto settings = toJson(RenderReport{job, render::RenderResult{}, 0, 0})["settings"];
   CHECK(settings["maxDepth"] == 64);
   CHECK(settings["seed"] == 4294967295u);
@@ -137,7 +141,7 @@ TEST_CASE("settings are typed: numbers, words and flags") {
 
 TEST_CASE("the text report has every figure of the JSON report") {
   const render::RenderResult result = exampleResult();
-  const std::string text = toText(RenderReport{RenderJob{}, result, 0, 0});
+  const std::string text = toText(RenderReport{madeJob(), result, 0, 0});
   CHECK(text.find("mraysPerSecond                   6\n") != std::string::npos);
   CHECK(text.find("phaseSeconds.trace               2\n") != std::string::npos);
   CHECK(text.find("structure                        bvh\n") != std::string::npos);

@@ -6,6 +6,7 @@
 
 #include "host/core/errors.h"
 #include "tests/explain/made_traces.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::explain {
 namespace {
@@ -35,7 +36,7 @@ render::PathTrace movedBy(double distance) {
 }
 
 Explanation explainWithReplicas(const render::PathTrace& device, const std::vector<render::PathTrace>& replicas) {
-  return explainReplays(twoSpheres(), {}, {3, 4, 5}, {device, {}}, {madePath(), {}}, replicas);
+  return explainReplays(twoSpheres(), render::defaultSettings(), {3, 4, 5}, {device, {}}, {madePath(), {}}, replicas);
 }
 
 TEST_CASE("replicas show how much rounding may change a number") {

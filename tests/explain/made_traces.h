@@ -2,6 +2,7 @@
 #pragma once
 #include "host/explain/explanation.h"
 #include "host/scene/nff_material.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::explain {
 
@@ -53,7 +54,7 @@ inline render::PathTrace madePath() {
 inline Explanation explainMade(const render::PathTrace& device, const render::PathTrace& reference) {
   render::Replay a{device, {}};
   a.statistics.device = "a device";
-  return explainReplays(twoSpheres(), {}, {3, 4, 5}, a, {reference, {}});
+  return explainReplays(twoSpheres(), render::defaultSettings(), {3, 4, 5}, a, {reference, {}});
 }
 
 }  // namespace candela::explain

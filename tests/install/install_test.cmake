@@ -11,6 +11,13 @@ foreach(file share/doc/candela/copyright share/doc/candela/README.md share/cande
     message(FATAL_ERROR "${file} was not installed")
   endif()
 endforeach()
+# The documentation and the consumer name the version that is installed.
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/../../docs/building.md documented REGEX "find_package\\(candela")
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/consumer/CMakeLists.txt used REGEX "find_package\\(candela")
+string(STRIP "${documented}" documented)
+if(NOT documented STREQUAL used)
+  message(FATAL_ERROR "docs/building.md has \"${documented}\", and the consumer \"${used}\"")
+endif()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)

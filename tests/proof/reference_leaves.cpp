@@ -12,6 +12,7 @@
 #include "host/reference/surface_material.h"
 #include "host/reference/tracing.h"
 #include "tests/proof/leaves.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::proof {
 
@@ -138,7 +139,7 @@ struct LightLeaves::Side {
   scene::Scene scene;
   reference::LightTable table;
 
-  explicit Side(const scene::Scene& lights) : scene(lights), table(scene, {}) {}
+  explicit Side(const scene::Scene& lights) : scene(lights), table(scene, render::defaultSettings()) {}
 
   double probability(std::uint32_t entry) const {
     const std::uint32_t below = entry == 0 ? 0 : table.thresholds()[entry - 1];
@@ -206,7 +207,7 @@ struct EnvironmentLeaves::Side {
   explicit Side(const scene::Scene& lights)
       : scene(lights),
         map(*scene.environment),
-        probability(reference::LightTable(scene, {}).environmentProbability()) {}
+        probability(reference::LightTable(scene, render::defaultSettings()).environmentProbability()) {}
 };
 
 EnvironmentLeaves::EnvironmentLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
@@ -237,7 +238,7 @@ struct RayLeaves::Side {
   scene::Scene scene;
   reference::Tracing tracing;
 
-  explicit Side(const scene::Scene& traced) : scene(traced), tracing(scene, {}) {}
+  explicit Side(const scene::Scene& traced) : scene(traced), tracing(scene, render::defaultSettings()) {}
 };
 
 RayLeaves::RayLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}

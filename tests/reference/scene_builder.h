@@ -8,6 +8,7 @@
 #include "host/scene/nff_material.h"
 #include "host/scene/scene.h"
 #include "host/scene/scene_builder.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::test {
 
@@ -108,7 +109,7 @@ inline SceneBuilder cornellBox() {
 }
 
 inline render::RenderSettings settingsOf(std::uint32_t width, std::uint32_t height, std::uint32_t sampleCount) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {width, height};
   settings.image.sampleCount = sampleCount;
   return settings;

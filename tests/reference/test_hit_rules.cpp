@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/reference/tracing.h"
+#include "tests/reference/default_settings.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -11,8 +12,8 @@ using test::SceneBuilder;
 
 TEST_CASE("a scene without primitives can be traced, and few primitives have no BVH") {
   Counters counters;
-  CHECK_FALSE(Tracing(SceneBuilder().scene, {}).closest({{0, 0, 0}, {0, 0, 1}}, counters));
-  CHECK_FALSE(Tracing(test::cornellBox().scene, {}).hasHierarchy());
+  CHECK_FALSE(Tracing(SceneBuilder().scene, render::defaultSettings()).closest({{0, 0, 0}, {0, 0, 1}}, counters));
+  CHECK_FALSE(Tracing(test::cornellBox().scene, render::defaultSettings()).hasHierarchy());
 }
 
 TEST_CASE("at equal distances the lower primitive index is hit") {
@@ -21,9 +22,9 @@ TEST_CASE("at equal distances the lower primitive index is hit") {
   b.box({-1, -1, -1}, {1, 1, 1}).quad({-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1});
   b.plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
   Counters counters;
-  CHECK(Tracing(b.scene, {}).closest({{0.5, 0.2, 4}, {0, 0, -1}}, counters).primitive == 0);
+  CHECK(Tracing(b.scene, render::defaultSettings()).closest({{0.5, 0.2, 4}, {0, 0, -1}}, counters).primitive == 0);
   std::swap(b.scene.primitives[0], b.scene.primitives[3]);
-  CHECK(Tracing(b.scene, {}).closest({{0.5, 0.2, 4}, {0, 0, -1}}, counters).primitive == 0);
+  CHECK(Tracing(b.scene, render::defaultSettings()).closest({{0.5, 0.2, 4}, {0, 0, -1}}, counters).primitive == 0);
   CHECK(counters.traversalSteps == 8);
 }
 
@@ -34,7 +35,7 @@ TEST_CASE("one-sided rendering ignores the backs of opaque triangles and planes,
   b.plane({0, 0, 4}, {1, 0, 4}, {0, 1, 4});        // the same
   b.box({-1, -1, 2}, {1, 1, 3}).sphere({0, 0, 0}, 1);
   b.material(test::glassMaterial(vec3(1), 1.5f)).triangle({-9, -9, 1.2f}, {9, -9, 1.2f}, {0, 9, 1.2f});
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.structure.accel = render::AccelKind::bvh;
   const Tracing twoSided(b.scene, settings);
   settings.image.oneSided = true;
@@ -58,7 +59,7 @@ TEST_CASE("one-sided rendering ignores the backs of opaque triangles and planes,
 TEST_CASE("shadow rays ignore their light and everything at or beyond its distance") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1))).sphere({0, 0, 3}, 1).plane({0, 0, 4}, {1, 0, 4}, {0, 1, 4});
-  const Tracing tracing(b.scene, {});
+  const Tracing tracing(b.scene, render::defaultSettings());
   Counters counters;
   const Ray ray{{0, 0, 0}, {0, 0, 1}};
   CHECK(tracing.isOccluded(ray, {4}, counters));

@@ -3,6 +3,7 @@
 #include <random>
 
 #include "host/reference/tracing.h"
+#include "tests/reference/default_settings.h"
 #include "tests/reference/touching_lights.h"
 
 using namespace candela;
@@ -17,7 +18,7 @@ namespace {
 class ShadowRays {
  public:
   ShadowRays(const scene::Scene& scene, const vec3& shift, std::uint32_t replicas = 0) : shift_(shift) {
-    render::RenderSettings settings;
+    render::RenderSettings settings = render::defaultSettings();
     settings.execution.replicas = replicas;
     tracing_.emplace(scene, settings);
   }
@@ -87,7 +88,7 @@ TEST_CASE("rays that pass through a touched body to a light on its far side are 
   SceneBuilder b = test::floorUnder(vec3(0));
   b.scene.primitives.clear();
   b.sphere({0, 0, 3}, 1).cone({-4, 0, 6}, 1, {4, 0, 6}, 1).box({-1, -1, 9}, {1, 1, 10});
-  const Tracing tracing(b.scene, {});
+  const Tracing tracing(b.scene, render::defaultSettings());
   Counters counters;
   for (const double top : {4.0, 7.0, 10.0}) {
     const dvec3 light(0, 0, top);
@@ -107,7 +108,7 @@ TEST_CASE("rays that pass through a touched body to a light on its far side are 
 TEST_CASE("the depth of a light behind a wall does not depend on where the ray comes from") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1))).quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
-  const Tracing tracing(b.scene, {});
+  const Tracing tracing(b.scene, render::defaultSettings());
   Counters counters;
   for (const double distance : {1.0, 1e3, 1e6}) {
     for (const double slope : {1.0, 1e-2, 1e-4}) {
@@ -128,7 +129,7 @@ TEST_CASE("the depth of a light behind a wall does not depend on where the ray c
 TEST_CASE("a light without a point has no margin, and a wall hides the light behind it however near") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(1))).plane({0, 0, 4}, {1, 0, 4}, {0, 1, 4});
-  const Tracing tracing(b.scene, {});
+  const Tracing tracing(b.scene, render::defaultSettings());
   Counters counters;
   const Ray ray{{0, 0, 0}, {0, 0, 1}};
   const double beyond = std::nextafter(4.0, 5.0);

@@ -6,6 +6,7 @@
 #include "host/reference/lights.h"
 #include "host/reference/sampling.h"
 #include "host/reference/tracing.h"
+#include "tests/reference/default_settings.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -37,7 +38,7 @@ double estimate(const LightTable& lights, const Surface& surface, const Function
 }
 
 render::RenderSettings settingsWith(bool nextEvent, bool oneSided = false) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.nextEventEstimation = nextEvent;
   settings.image.oneSided = oneSided;
   return settings;
@@ -52,7 +53,7 @@ TEST_CASE("triangles share the table by area and luminance") {
   b.triangle({0, 0, 0}, {1, 0, 0}, {2, 0, 0});  // no area: not in the table
   b.material(diffuseMaterial(vec3(1))).triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(diffuseMaterial(vec3(1), vec3(3))).triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0});  // 3/2
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   CHECK(lights.thresholds() == Thresholds{kAll / 4, kAll});
   CHECK(lights.choose(0).entry == 0);
   CHECK(lights.choose((kAll / 4 - 1) << 8 | 0xff).entry == 0);
@@ -65,7 +66,7 @@ TEST_CASE("thresholds are rounded to nearest, and the last one is 2^24") {
   SceneBuilder b;
   b.pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(1));
   // 2^24 / 3 = 5592405.33, 2 * 2^24 / 3 = 11184810.67.
-  CHECK(LightTable(b.scene, {}).thresholds() == Thresholds{5592405, 11184811, kAll});
+  CHECK(LightTable(b.scene, render::defaultSettings()).thresholds() == Thresholds{5592405, 11184811, kAll});
 }
 
 TEST_CASE("lights that no ray finds have at least a fifth of the mean weight, however bright another one is") {
@@ -74,7 +75,7 @@ TEST_CASE("lights that no ray finds have at least a fifth of the mean weight, ho
   b.scene.punctualLights.resize(2);
   b.scene.punctualLights[0].intensity = vec3(1e-3f);
   b.scene.punctualLights[1].intensity = vec3(3);
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   // Four lights are on, so that two weights are raised to 4/20: 0.2, 0, 1, 0.2, 3 of 4.4.
   const double expected[] = {1 / 22.0, 1 / 22.0, 6 / 22.0, 7 / 22.0, 1};
   for (std::size_t i = 0; i < 5; ++i) CHECK(lights.thresholds().at(i) == Approx(expected[i] * kAll).epsilon(1e-3));
@@ -87,13 +88,13 @@ TEST_CASE("emitters, point lights and the environment are chosen by the flux tha
   // The box of the spheres is 7 by 2 by 2, so that R^2 = 57/4. Divided by pi: 40 pi, pi R^2 / 2, and 4 R^2 * 0.25.
   const double emitters = 40 * kPi, points = kPi * 57 / 8;
   const double both = 0.2 + 0.6 * emitters / (emitters + points);
-  const Thresholds two = LightTable(b.scene, {}).thresholds();
+  const Thresholds two = LightTable(b.scene, render::defaultSettings()).thresholds();
   CHECK(two[0] == Approx(both / 2 * kAll).margin(1));
   CHECK(two[1] == Approx(both * kAll).margin(1));
   b.scene.environment = scene::Environment{.name = "", .width = 2, .height = 2, .texels = {}, .weights = {}};
   b.scene.environment->texels.assign(4, vec3(0.25f));
   b.scene.environment->weights.assign(4, scene::Environment::kMeanWeight);
-  const Thresholds three = LightTable(b.scene, {}).thresholds();
+  const Thresholds three = LightTable(b.scene, render::defaultSettings()).thresholds();
   const double sum = emitters + points + 57 * 0.25;
   CHECK(three[1] == Approx((0.2 + 0.4 * emitters / sum) * kAll).margin(1));
   CHECK(three[2] == Approx((0.4 + 0.4 * (emitters + points) / sum) * kAll).margin(1));
@@ -103,14 +104,14 @@ TEST_CASE("emitters, point lights and the environment are chosen by the flux tha
 TEST_CASE("lights of weight 0 stay in the table and are never chosen") {
   SceneBuilder b;
   b.pointLight({0, 0, 1}, vec3(0)).pointLight({0, 0, 1}, vec3(1)).pointLight({0, 0, 1}, vec3(0));
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   CHECK(lights.thresholds() == Thresholds{0, kAll, kAll});
   CHECK(lights.choose(0).entry == 1);
   CHECK(lights.choose(~0u).entry == 1);
 
   SceneBuilder dark;
   dark.pointLight({0, 0, 1}, vec3(0));
-  CHECK_FALSE(LightTable(dark.scene, {}).canChoose());
+  CHECK_FALSE(LightTable(dark.scene, render::defaultSettings()).canChoose());
 }
 
 TEST_CASE("only point lights are in the table without next-event estimation") {
@@ -125,13 +126,13 @@ TEST_CASE("boxes, cones and planes that emit are not in the table") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(5)));
   b.box({0, 0, 0}, {1, 1, 1}).cone({0, 0, 0}, 1, {0, 0, 1}, 1).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  CHECK_FALSE(LightTable(b.scene, {}).canChoose());
+  CHECK_FALSE(LightTable(b.scene, render::defaultSettings()).canChoose());
 }
 
 TEST_CASE("sphere samples give the irradiance of a sphere, outside and inside") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1))).sphere({0, 0, 3}, 1);
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   const dvec3 up(0, 0, 1);
   const auto cosine = [&](const LightSample& sample) { return std::max(0.0, dot(sample.wi, up)); };
   CHECK(estimate(lights, surfaceFacing({0, 0, 0}, up), cosine) == Approx(kPi / 9).epsilon(1e-4));
@@ -145,7 +146,7 @@ TEST_CASE("sphere samples give the irradiance of a sphere, outside and inside") 
 TEST_CASE("triangle samples give the form factor of a triangle") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1))).triangle({0, 0, 1}, {0, 1, 1}, {1, 0, 1});
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   const dvec3 up(0, 0, 1), corners[3] = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}};
   // Lambert's formula: half the sum over the edges of the angle times the cosine to the edge's normal.
   double expected = 0;
@@ -161,7 +162,7 @@ TEST_CASE("the density of a hit is the density with which it is sampled") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1)));
   b.sphere({0, 0, 3}, 1).sphere({0, 0, 0}, -5).triangle({1, 0, 1}, {1, 1, 1}, {2, 0, 1});
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   Counters counters;
   for (std::uint32_t entry = 0; entry < 3; ++entry) {
     const Surface from = surfaceFacing({0.2, 0.1, 0}, {0, 0, 1});
@@ -171,7 +172,7 @@ TEST_CASE("the density of a hit is the density with which it is sampled") {
     const Ray ray{from.position, sample->wi};
     scene::Scene alone = b.scene;
     alone.primitives = {b.scene.primitives[entry]};
-    const Hit hit = Tracing(alone, {}).closest(ray, counters);
+    const Hit hit = Tracing(alone, render::defaultSettings()).closest(ray, counters);
     REQUIRE(hit);
     CHECK(hit.distance == Approx(sample->distance));
     const double share = (lights.thresholds()[entry] - (entry > 0 ? lights.thresholds()[entry - 1] : 0)) / double{kAll};
@@ -183,7 +184,7 @@ TEST_CASE("the density of a hit is the density with which it is sampled") {
 TEST_CASE("a triangle light does not illuminate itself and, with --one-sided, nothing behind it") {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1))).triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1});  // front towards +z
-  const LightTable twoSided(b.scene, {}), oneSided(b.scene, settingsWith(true, true));
+  const LightTable twoSided(b.scene, render::defaultSettings()), oneSided(b.scene, settingsWith(true, true));
   const Surface below = surfaceFacing({0, 0, 0}, {0, 0, 1}), above = surfaceFacing({0, 0, 2}, {0, 0, -1});
   CHECK(twoSided.sample(0, below, {0.5, 0.5}));
   CHECK_FALSE(oneSided.sample(0, below, {0.5, 0.5}));
@@ -195,7 +196,7 @@ TEST_CASE("a triangle light does not illuminate itself and, with --one-sided, no
 TEST_CASE("a background that is no environment has no entry") {
   SceneBuilder b;
   b.scene.background = vec3(1);
-  const LightTable lights(b.scene, {});
+  const LightTable lights(b.scene, render::defaultSettings());
   CHECK(lights.thresholds().empty());
   CHECK(lights.environmentProbability() == 0);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/reference/reference_renderer.h"
+#include "tests/reference/default_settings.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -17,7 +18,7 @@ struct Counted {
 };
 
 Counted count(const scene::Scene& scene, render::Integrator integrator) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {32, 32};
   settings.image.sampleCount = 4;
   settings.image.integrator = integrator;
@@ -76,7 +77,7 @@ TEST_CASE("errors that mirror balls reflect back and forth are amplified, near t
 }
 
 TEST_CASE("the lean of replicas is the signed sum of differences: rounding alone has little") {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {32, 32};
   settings.image.sampleCount = 16;
   settings.execution.replicas = 1;
@@ -100,7 +101,7 @@ TEST_CASE("a rug on an inclined floor of 1000 times its size makes no light a ma
   // The vertices of both are rounded by up to 6e-5. Without the tolerance of the floor, replicas would hit the floor
   // below the rug.
   const auto at = [](double x, double y) { return vec3(glm::dvec3(x, y, 0.723456789 * x - 0.6456789123 * y)); };
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   settings.image.sampleCount = 8;
   settings.execution.replicas = 1;

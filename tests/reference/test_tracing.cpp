@@ -4,6 +4,7 @@
 #include <random>
 
 #include "host/reference/tracing.h"
+#include "tests/reference/default_settings.h"
 #include "tests/reference/scene_builder.h"
 
 using namespace candela;
@@ -14,13 +15,13 @@ using test::SceneBuilder;
 namespace {
 
 render::RenderSettings withAccel(render::AccelKind accel) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.structure.accel = accel;
   return settings;
 }
 
 render::RenderSettings withMidpoints() {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.structure.bvhSplit = render::BvhSplit::midpoint;
   return settings;
 }

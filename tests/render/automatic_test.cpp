@@ -5,6 +5,7 @@
 #include "host/device/device_scene.h"
 #include "host/device/kernel.h"
 #include "host/flatten/flatten_hierarchy.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::device {
 namespace {
@@ -19,7 +20,7 @@ render::SceneLoads loadsWhere(std::uint64_t texels, std::uint64_t storageRows, r
   info.maxStorageBufferRange = storageRows * kRowBytes;
   flatten::FlatScene flat;
   flat.rows.resize(100);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.execution.sceneLoads = asked;
   settings.execution.automatic.sceneLoads = preferred;
   return loadsFor(info, flat, settings);
@@ -48,7 +49,7 @@ TEST_CASE("requested loads that do not fit are refused, and the message names th
 }
 
 TEST_CASE("a requested layout is used, else the preferred one, but midpoint splits have binary nodes") {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   for (const render::BvhLayout preferred : {render::BvhLayout::bvh2, render::BvhLayout::cwbvh}) {
     settings.execution.automatic.bvhLayout = preferred;
     for (const render::BvhSplit split : {render::BvhSplit::sah, render::BvhSplit::midpoint}) {
@@ -65,7 +66,7 @@ TEST_CASE("a requested layout is used, else the preferred one, but midpoint spli
 }
 
 TEST_CASE("a requested workgroup is used, else the preferred one") {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   CHECK(extentText(settings.execution.workgroupInUse()) == "8x8");
   settings.execution.automatic.workgroup = {32, 1};
   CHECK(extentText(settings.execution.workgroupInUse()) == "32x1");
@@ -74,7 +75,7 @@ TEST_CASE("a requested workgroup is used, else the preferred one") {
 }
 
 TEST_CASE("a requested kernel is used, else the preferred one, except by integrators with a single kernel") {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   const auto kernel = [&] { return kernelFor(flatten::FlatScene{}, settings).kind; };
   CHECK(kernel() == render::KernelInUse::megakernel);
   settings.execution.automatic.kernel = render::KernelKind::wavefront;

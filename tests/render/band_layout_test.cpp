@@ -7,6 +7,7 @@
 #include "host/core/errors.h"
 #include "host/flatten/flat_scene.h"
 #include "host/image/film.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::device {
 namespace {
@@ -27,7 +28,7 @@ std::uint64_t largestBuffer(const Kernel& kernel, const render::RenderSettings& 
 
 // Settings of images whose largest buffer differs: path states, the film with its layers, or the path records.
 std::vector<render::RenderSettings> manySettings() {
-  std::vector<render::RenderSettings> all(5);
+  std::vector<render::RenderSettings> all(5, render::defaultSettings());
   for (render::RenderSettings& settings : all) settings.image.size = {300, 100000};
   all[1].execution.kernel = render::KernelKind::wavefront;
   all[2].image.layers.add(image::Layer::cryptoObject);
@@ -53,7 +54,7 @@ TEST_CASE("a band is as high as its largest buffer permits") {
 }
 
 TEST_CASE("the parts of a band's buffers follow each other") {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.layers.add(image::Layer::cryptoObject);
   settings.execution.recordPaths = true;
   settings.execution.kernel = render::KernelKind::wavefront;
@@ -64,7 +65,7 @@ TEST_CASE("the parts of a band's buffers follow each other") {
 }
 
 TEST_CASE("an image with a row that no buffer can contain is refused with the remedy") {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {65535, 2};
   const Kernel kernel = kernelFor(flatten::FlatScene{}, settings);
   CHECK_THROWS_WITH(bandHeight(deviceThatBinds(1 << 20), kernel, settings, kUnlimited),

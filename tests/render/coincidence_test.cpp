@@ -457,7 +457,7 @@ TEST_CASE(
        addLamp, 1000},
       {"box", [](SceneBuilder& b, const vec3& o) { b.box(o + vec3(-3, -3, 2), o + vec3(3, 3, 3)); }, addFlatLamp, 0},
       {"sphere", [](SceneBuilder& b, const vec3& o) { b.sphere(o + vec3(0, 0, 2), 0.5f); },
-       [](SceneBuilder& b, const vec3& o) { b.sphere(o + vec3(0, 0, 2), 0.5f); }}};
+       [](SceneBuilder& b, const vec3& o) { b.sphere(o + vec3(0, 0, 2), 0.5f); }, 0}};
   onBothTracers([&](const RenderFunction& renderScene) {
     for (const Case& c : cases) {
       const vec3 o(c.distance, -c.distance, 0.5f * c.distance);

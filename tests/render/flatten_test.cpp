@@ -9,6 +9,7 @@
 #include "host/formats/load_scene.h"
 #include "host/scene/coincidence.h"
 #include "shaders/shared/scene_rows.h"
+#include "tests/reference/default_settings.h"
 
 using namespace candela;
 
@@ -19,7 +20,7 @@ scene::Scene loadFixture(const char* name) {
 }
 
 render::RenderSettings smallSettings() {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {64, 64};
   return settings;
 }

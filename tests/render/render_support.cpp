@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "host/formats/load_scene.h"
+#include "tests/reference/default_settings.h"
 #include "tests/vulkan_support/test_device.h"
 
 namespace candela::device {
@@ -41,7 +42,7 @@ scene::Scene loadSpdScene(const std::string& fileName) { return formats::loadSce
 scene::Scene sceneFromText(const std::string& text) { return scene::parseScene(text, "test.p3f", kScenes).scene; }
 
 render::RenderSettings squareSettings(std::uint32_t side, std::uint32_t samples) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {side, side};
   settings.image.sampleCount = samples;
   return settings;

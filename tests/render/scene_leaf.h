@@ -8,6 +8,7 @@
 #include "host/device/specialise.h"
 #include "host/vulkan/binding_set.h"
 #include "host/vulkan/compute_pipeline.h"
+#include "tests/reference/default_settings.h"
 #include "tests/vulkan_support/test_device.h"
 
 namespace candela::device {
@@ -17,7 +18,7 @@ namespace candela::device {
 class SceneLeaf {
  public:
   SceneLeaf(std::span<const std::uint32_t> spirv, const scene::Scene& scene,
-            const render::RenderSettings& settings = {})
+            const render::RenderSettings& settings = render::defaultSettings())
       : device_(openTestDevice()),
         flat_(flatten::flattenScene(scene, settings)),
         scene_(device_, flat_, render::SceneLoads::storage),

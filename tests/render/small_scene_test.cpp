@@ -7,6 +7,7 @@
 #include "host/flatten/flat_scene.h"
 #include "host/formats/load_scene.h"
 #include "shaders/shared/scene_rows.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::device {
 namespace {
@@ -60,7 +61,7 @@ TEST_CASE("a small scene has at most four surfaces that coincide, which come las
                   "box 0 0 0 1 1 1\ns 3 0 2 1\npl 0 0 0 1 0 0 0 1 0\ns -3 0 2 1\n",
                   "test", ".")
                   .scene;
-  const flatten::FlatScene flat = flatten::flattenScene(scene, {},
+  const flatten::FlatScene flat = flatten::flattenScene(scene, render::defaultSettings(),
                                                         {.maxGridSide = flatten::kAnyGridSide, .smallScene = rule});
   CHECK(flat.uniformSlots == 4);
   CHECK(flat.firstMarkedSlot == 2);
@@ -84,7 +85,7 @@ TEST_CASE("a small scene has its records in the uniform buffer too, unless a str
                                  .scene;
   const flatten::FlattenLimits limits{.maxGridSide = flatten::kAnyGridSide,
                                       .smallScene = {.maxCost = 128, .rowsAhead = false}};
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {8, 8};
   const flatten::FlatScene row = flatten::flattenScene(scene, settings, limits);
   REQUIRE(row.uniformSlots == scene.primitives.size());

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "host/tune/search.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::tune {
 
@@ -16,7 +17,7 @@ struct MadeTime {
 inline Row madeRow(const Candidate& candidate, const std::vector<MadeTime>& times, std::uint32_t repeats = 3) {
   Row row{candidate, {}};
   for (const MadeTime& time : times) {
-    bench::RenderRow scene{"made", 1, {}};
+    bench::RenderRow scene{"made", 1, {.variant = {"made", render::defaultSettings()}}};
     for (std::uint32_t run = 0; run < repeats; ++run) {
       const double place = repeats == 1 ? 0 : 2.0 * run / (repeats - 1) - 1;
       scene.measurement.traceSeconds.push_back(time.seconds * (1 + place * time.deviation));

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
+#include "tests/reference/default_settings.h"
 #include "tests/render/one_shot_renderer.h"
 #include "tests/tune/made_rows.h"
 
@@ -40,7 +41,7 @@ class MadeRenderer final : public test::OneShotRenderer {
 };
 
 Work workOf(render::Extent size) {
-  Work work;
+  Work work{.scene = {}, .settings = render::defaultSettings()};
   work.scene.name = "made";
   work.settings.image.size = size;
   return work;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "host/verify/paired_test.h"
+#include "tests/reference/default_settings.h"
 #include "tests/verify/noise_renderer.h"
 #include "tests/verify/paired_renderer.h"
 
@@ -20,7 +21,7 @@ scene::Scene sceneOfMeanOne() {
 }
 
 render::RenderSettings settingsOf(std::uint32_t seed) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {kImageSize, kImageSize};
   settings.image.seed = seed;
   return settings;

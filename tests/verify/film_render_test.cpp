@@ -6,6 +6,7 @@
 #include "host/reference/reference_renderer.h"
 #include "host/scene/load.h"
 #include "host/verify/film_test.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::verify {
 namespace {
@@ -26,7 +27,7 @@ scene::Scene ballUnderLamp(double strength) {
 
 image::Image render(const scene::Scene& scene, render::SamplerKind sampler, std::uint32_t seed) {
   static const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   settings.image.sampleCount = 16;
   settings.image.sampler = sampler;

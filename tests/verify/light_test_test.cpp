@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/reference/default_settings.h"
 #include "tests/verify/noise_renderer.h"
 
 namespace candela::verify {
@@ -12,7 +13,7 @@ LightTestResult run(const NoiseOptions& device, std::uint32_t seed, const LightT
                     const render::RenderControl& control = {}) {
   NoiseRenderer a(device);
   NoiseRenderer b;
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   settings.image.seed = seed;
   return testLight(scene::Scene{}, settings, a, b, options, control);
@@ -69,7 +70,7 @@ TEST_CASE("images without noise are equal up to rounding, or differ at the first
   const auto compare = [&](double factor) {
     NoiseRenderer a({.deviation = 0, .factor = [factor](std::uint32_t, std::uint32_t) { return factor; }});
     NoiseRenderer b(exact);
-    render::RenderSettings settings;
+    render::RenderSettings settings = render::defaultSettings();
     settings.image.size = {16, 16};
     return testLight(scene::Scene{}, settings, a, b, {}, {});
   };
@@ -81,7 +82,7 @@ TEST_CASE("images without noise are equal up to rounding, or differ at the first
 TEST_CASE("a black image agrees with a black one and differs from a lit one") {
   const NoiseOptions black{.factor = [](std::uint32_t, std::uint32_t) { return 0.0; }};
   NoiseRenderer a(black), b(black);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   CHECK_FALSE(testLight(scene::Scene{}, settings, a, b, {}, {}).differs());
   CHECK(run(black, 1).differs());

@@ -15,6 +15,7 @@
 #include "host/formats/load_scene.h"
 #include "host/reference/reference_renderer.h"
 #include "host/verify/verify.h"
+#include "tests/reference/default_settings.h"
 #include "tests/verify/changed_renderer.h"
 
 namespace candela::verify {
@@ -59,7 +60,7 @@ nlohmann::ordered_json verdictOn(double error, const scene::Scene& scene, const 
 
 void measure(char** words, int errorCount) {
   const scene::Scene scene = formats::loadScene(words[1]).scene;
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   const auto side = static_cast<std::uint32_t>(std::atoi(words[2]));
   settings.image.size = {side, side};
   settings.image.seed = static_cast<std::uint32_t>(std::atoi(words[3]));

@@ -6,6 +6,7 @@
 
 #include "host/core/errors.h"
 #include "host/verify/verify.h"
+#include "tests/reference/default_settings.h"
 #include "tests/verify/paired_renderer.h"
 
 namespace candela::verify {
@@ -17,7 +18,7 @@ LightTestResult runPaired(const PairedOptions& options, std::uint32_t seed, cons
                           render::Extent size = {32, 32}, const render::RenderControl& control = {}) {
   PairedRenderer device(PairedRole::device, options);
   PairedRenderer reference(PairedRole::reference, options);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = size;
   settings.image.seed = seed;
   return testLightPaired(scene::Scene{}, settings, device, reference, test, 1, control);
@@ -112,7 +113,7 @@ TEST_CASE("images of few pixels have enough values by more batches") {
 
 TEST_CASE("batches of integrators that do not jitter a single sample have two") {
   PairedRenderer device(PairedRole::device, {}), reference(PairedRole::reference, {});
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {64, 64};
   for (const auto& [integrator, samples] :
        {std::pair{render::Integrator::path, 16u}, {render::Integrator::whitted, 32u}}) {
@@ -124,7 +125,7 @@ TEST_CASE("batches of integrators that do not jitter a single sample have two") 
 TEST_CASE("black against black agrees") {
   const PairedOptions black{.rounding = 0, .factor = [](std::uint32_t, std::uint32_t) { return 0.0; }};
   PairedRenderer device(PairedRole::device, black), same(PairedRole::device, black);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   const LightTestResult result = testLightPaired(scene::Scene{}, settings, device, same, {}, 0, {});
   CHECK_FALSE(result.differs());
@@ -144,7 +145,7 @@ TEST_CASE("loops that a device ends early in the images of one sample are counte
   const PairedOptions options{.rounding = 0, .truncated = 3};
   PairedRenderer device(PairedRole::device, options);
   PairedRenderer reference(PairedRole::reference, options);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   settings.image.sampleCount = 4;
   CHECK(compareTracers(scene::Scene{}, settings, device, reference, {}, {}).deviceStatistics.truncated == 3);

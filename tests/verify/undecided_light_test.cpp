@@ -5,6 +5,7 @@
 #include "host/verify/paired_sums.h"
 #include "host/verify/paired_test.h"
 #include "host/verify/verify.h"
+#include "tests/reference/default_settings.h"
 #include "tests/verify/paired_renderer.h"
 
 namespace candela::verify {
@@ -21,7 +22,7 @@ struct TwoTests {
 
 TwoTests runBoth(const PairedOptions& options, const LightTestOptions& test = {}) {
   PairedRenderer device(PairedRole::device, options), reference(PairedRole::reference, options);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {64, 64};
   return {testLightPaired(scene::Scene{}, settings, device, reference, test, 1, {}),
           testLight(scene::Scene{}, settings, device, reference, test, {})};
@@ -44,7 +45,7 @@ TEST_CASE("the independent test keeps its level at a difference that rounding ju
   // A hundredth of the samples is a hundred times as bright on the device: the excuse has more noise than the means.
   const PairedOptions options{.flips = 0.01, .jump = 100, .oneWay = true};
   PairedRenderer device(PairedRole::device, options), reference(PairedRole::reference, options);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   int alarms = 0;
   for (std::uint32_t seed = 0; seed < 200; ++seed) {
@@ -76,7 +77,7 @@ TEST_CASE("a stated bias is the limit, if rounding excuses less") {
 
 TEST_CASE("a comparison of both tracers is not decided for a lean, and says so in text and JSON") {
   PairedRenderer device(PairedRole::device, kLeaning), reference(PairedRole::reference, kLeaning);
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {64, 64};
   settings.image.sampleCount = 16;
   const AgreementReport report = compareTracers(scene::Scene{}, settings, device, reference, {}, {});

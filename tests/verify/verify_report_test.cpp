@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/verify/verify.h"
+#include "tests/reference/default_settings.h"
 #include "tests/verify/noise_renderer.h"
 
 namespace candela::verify {
@@ -19,7 +20,7 @@ VerifyReport reportOf(double deviceFactor, std::optional<scene::ExactMean> exact
   NoiseRenderer b({.factor = everywhere(referenceFactor)});
   scene::Scene scene;
   scene.name = "a<b>.p3f";
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   VerifyReport report;
   report.scene = scene.name;
@@ -144,7 +145,7 @@ TEST_CASE("a run that is interrupted in its first question reports its device an
   const std::atomic<bool> stop = true;
   render::RenderControl control;
   control.stop = &stop;
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {16, 16};
   const VerifyReport report = verifyScene({}, settings, device, reference, {}, control);
   CHECK(report.interrupted);

@@ -6,6 +6,7 @@
 #include "host/formats/load_scene.h"
 #include "host/reference/reference_renderer.h"
 #include "host/view/engine.h"
+#include "tests/reference/default_settings.h"
 
 namespace candela::view {
 
@@ -19,7 +20,7 @@ inline std::shared_ptr<const scene::Scene> testScene() {
 }
 
 inline render::RenderSettings settingsOf(const Choice& choice, std::uint32_t seed = 0) {
-  render::RenderSettings settings;
+  render::RenderSettings settings = render::defaultSettings();
   settings.image.size = kSize;
   settings.image.sampleCount = kSamples;
   settings.image.maxDepth = 4;
@@ -31,9 +32,7 @@ inline render::RenderSettings settingsOf(const Choice& choice, std::uint32_t see
 }
 
 inline Sessions sessionsOf(const Choice& choice, bool) {
-  Sessions sessions;
-  sessions.scene = testScene();
-  sessions.settings = settingsOf(choice);
+  Sessions sessions{testScene(), settingsOf(choice)};
   sessions.referenceRenderer = reference::makeReferenceRenderer();
   sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
   return sessions;

@@ -8,6 +8,7 @@
 #include "host/formats/load_scene.h"
 #include "host/image/image.h"
 #include "host/reference/reference_renderer.h"
+#include "host/render/request.h"
 
 int main(int argc, char** argv) try {
   if (argc != 4) return 1;
@@ -16,10 +17,10 @@ int main(int argc, char** argv) try {
   const std::unique_ptr<candela::render::Renderer> renderer = device == "cpu"
                                                                   ? candela::reference::makeReferenceRenderer()
                                                                   : candela::device::makeGpuRenderer(device);
-  candela::render::RenderSettings settings;
-  settings.image.size = {64, 64};
-  settings.image.sampleCount = 4;
-  const candela::render::RenderResult result = renderer->render(scene, settings, {});
+  candela::render::RenderRequest request;  // everything else is as the scene requests
+  request.size = candela::render::Extent{64, 64};
+  request.sampleCount = 4;
+  const candela::render::RenderResult result = renderer->render(scene, candela::render::resolve(request, scene), {});
   candela::image::writeImage(argv[3], candela::image::toImage(result.film), {});
   std::cout << result.statistics.device << '\n';
 } catch (const std::exception& error) {
