@@ -71,7 +71,8 @@ Rows textureRows(const scene::Scene& scene);
 /// Returns the headers of the sky box's faces, the table of linear values of 8-bit sRGB, and the texels.
 Rows skyRows(const scene::Sky& sky);
 
-/// Appends the texels of the environment with their densities, and its alias table, and sets its constants.
+/// Appends the texels of the environment with their densities, and the intervals of random numbers that choose a row
+/// and a texel of it, and sets its constants.
 void appendEnvironment(const scene::Environment& environment, FlatScene& flat);
 
 }  // namespace candela::flatten

@@ -7,34 +7,37 @@ CANDELA_BEGIN
 
 CANDELA_CONST uint kSpecWorkgroupX = 0u;
 CANDELA_CONST uint kSpecWorkgroupY = 1u;
+
+// The image.
 CANDELA_CONST uint kSpecOneSided = 17u;
-CANDELA_CONST uint kSpecLens = 18u;       // kLens...
-CANDELA_CONST uint kSpecFilter = 19u;     // kFilter...
-CANDELA_CONST uint kSpecSampler = 20u;    // kSampler...
+CANDELA_CONST uint kSpecLens = 18u;             // kLens...
+CANDELA_CONST uint kSpecFilter = 19u;           // kFilter...
+CANDELA_CONST uint kSpecSampler = 20u;          // kSampler...
+CANDELA_CONST uint kSpecBackdrop = 91u;         // kBackdrop...
+CANDELA_CONST uint kSpecView = 50u;             // kView...
+CANDELA_CONST uint kSpecAreaLights = 40u;       // for the Whitted tracer: point lights have a size
+CANDELA_CONST uint kSpecLimitsIndirect = 90u;   // contributions of indirect light have a maximum
+CANDELA_CONST uint kSpecFilmScale = 89u;        // k: the film adds samples times 2^-k
+CANDELA_CONST uint kSpecLayerSums = 93u;        // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
+CANDELA_CONST uint kSpecListsHits = 94u;        // the film has a list of the primitives that camera rays hit
+CANDELA_CONST uint kSpecThroughSpecular = 98u;  // layers show what is seen in perfect mirrors and through glass
+CANDELA_CONST uint kSpecRecord = 23u;           // the decisions of each path are recorded
+
+// The scene.
+CANDELA_CONST uint kSpecTextureSlots = 92u;  // a bit for each texture slot that some material of the scene uses
+CANDELA_CONST uint kSpecCoincident = 88u;    // kCoincident..., a bit for each kind of surface that coincides with another
+// The largest coordinate of the surfaces that are behind emitters, as the bits of a float; 0: there are none.
+CANDELA_CONST uint kSpecBehindReach = 99u;
+
+// The acceleration structure, and how it is read.
 CANDELA_CONST uint kSpecStructure = 21u;  // kStructure...
 CANDELA_CONST uint kSpecTexels = 22u;     // the scene is read through the texel buffer
-CANDELA_CONST uint kSpecRecord = 23u;
 CANDELA_CONST uint kSpecStackSize = 24u;
 CANDELA_CONST uint kSpecUniformSlots = 27u;     // primitives whose records are in the uniform buffer; 0: none
 CANDELA_CONST uint kSpecFirstMarkedSlot = 97u;  // of these, the first that may coincide with another
 CANDELA_CONST uint kSpecRowsAhead = 28u;        // these records are read before anything else
-// Ids from 40 on belong to the Whitted tracer.
-CANDELA_CONST uint kSpecAreaLights = 40u;  // point lights have a size
-// Ids from 50 on belong to the views.
-CANDELA_CONST uint kSpecView = 50u;             // kView...
-CANDELA_CONST uint kSpecLimitsIndirect = 90u;   // contributions of indirect light have a maximum
-CANDELA_CONST uint kSpecLayerSums = 93u;        // the sums of CANDELA_LAYER_SUMS that the film has, a bit each
-CANDELA_CONST uint kSpecListsHits = 94u;        // the film has a list of the primitives that camera rays hit
-CANDELA_CONST uint kSpecThroughSpecular = 98u;  // layers show what is seen in perfect mirrors and through glass
-CANDELA_CONST uint kSpecCoincident = 88u;  // kCoincident..., a bit for each kind of surface that coincides with another
-// The largest coordinate of the surfaces that are behind emitters, as the bits of a float; 0: there are none.
-CANDELA_CONST uint kSpecBehindReach = 99u;
-CANDELA_CONST uint kSpecFilmScale = 89u;     // k: the film adds samples times 2^-k
-CANDELA_CONST uint kSpecTextureSlots = 92u;  // a bit for each texture slot that some material of the scene uses
-CANDELA_CONST uint kSpecBackdrop = 91u;      // kBackdrop...
-// Ids from 60 on belong to the kernels that trace rays alone.
-CANDELA_CONST uint kSpecOcclusion = 60u;  // any hit instead of the closest
-// Ids from 70 on are kinds and flags of the slots in the uniform buffer, four per word, a byte each.
+CANDELA_CONST uint kSpecOcclusion = 60u;        // for rays alone: any hit instead of the closest
+// This id and the next nine are kinds and flags of the slots in the uniform buffer, four per word, a byte each.
 CANDELA_CONST uint kSpecUniformKinds = 70u;
 CANDELA_CONST uint kUniformKindWords = 10u;
 
