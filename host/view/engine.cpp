@@ -28,7 +28,7 @@ std::shared_ptr<const std::map<std::uint32_t, std::string>> matteNamesOf(const s
 
 Engine::Engine(EngineHooks hooks, Choice choice, Mode mode)
     : hooks_(std::move(hooks)), choice_(std::move(choice)), mode_(mode), sessions_(hooks_.load(choice_, false)) {
-  adopt(std::move(sessions_));
+  adopt(std::move(sessions_));  // without a scene before it, so that the camera is the scene's
   startDevice();
   publish();
   thread_ = std::thread([this] { loop(); });

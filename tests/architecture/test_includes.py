@@ -3,7 +3,7 @@
 
 Every folder of host/ has a row, which names exactly the folders that its files include; no two folders include each other,
 directly or not. Every folder belongs to a tier, and includes only this tier and those below it. Shaders include only shaders
-and the lists that docs/tiers.md names.
+and three lists of host/, which docs/tiers.md describes.
 """
 import re
 import sys
