@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "host/cli/arguments.h"
-#include "host/render/settings.h"
+#include "host/render/setting_names.h"
 
 namespace candela::cli {
 
@@ -60,6 +60,9 @@ Notation<std::string> deviceSelector();
 /// One of a list of names.
 template <class T>
 Notation<T> choice(std::vector<std::pair<std::string, T>> names);
+/// One of the values of an enumeration of settings: see render::kNamesOf.
+template <class T>
+Notation<T> named();
 /// Reads and prints like `inner`, and `absent` for no value. A word that `inner` accepts as well is a value.
 template <class T>
 Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent);
@@ -104,6 +107,13 @@ Notation<T> choice(std::vector<std::pair<std::string, T>> names) {
     return {};
   };
   return {metavar, joinAlternatives(words), parse, print, words};
+}
+
+template <class T>
+Notation<T> named() {
+  std::vector<std::pair<std::string, T>> names;
+  for (const auto& [name, value] : render::kNamesOf<T>) names.emplace_back(name, value);
+  return choice(std::move(names));
 }
 
 template <class T>

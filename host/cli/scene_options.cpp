@@ -10,15 +10,6 @@ constexpr float kMinReach = 1e-30f;
 constexpr float kMaxReach = 1e30f;
 
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
-const std::vector<std::pair<std::string, render::SamplerKind>> kSamplers{
-    {"independent", render::SamplerKind::independent},
-    {"stratified", render::SamplerKind::stratified},
-    {"sobol", render::SamplerKind::sobol}};
-const std::vector<std::pair<std::string, render::Integrator>> kIntegrators{
-    {"path", render::Integrator::path},     {"whitted", render::Integrator::whitted},
-    {"ao", render::Integrator::ao},         {"normal", render::Integrator::normal},
-    {"albedo", render::Integrator::albedo}, {"depth", render::Integrator::depth},
-    {"id", render::Integrator::id},         {"cost", render::Integrator::cost}};
 
 std::string defaultDepths() {
   return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
@@ -44,25 +35,25 @@ std::vector<Option> imageOptions() {
     valued({"--rr-start", kTracing, kGroup, "number of path vertices before Russian roulette starts"},
            wholeNumber(0, kMaxSegments), [](auto& a) -> auto& { return a.request.image.rouletteStart; }),
     valued({"--integrator", kTracing, kGroup, "`path`: path tracing; `whitted`: Whitted ray tracing; the others: views of what camera rays hit"},
-           choice(kIntegrators), [](auto& a) -> auto& { return a.request.image.integrator; }),
+           named<render::Integrator>(), [](auto& a) -> auto& { return a.request.image.integrator; }),
     valued({"--ao-distance", kTracing, kGroup, "maximum distance of occluders for `ao`; `auto`: a quarter of the distance from eye to target"},
            orAbsent(realNumber<float>("D", kMinReach, kMaxReach), "auto"), [](auto& a) -> auto& { return a.request.image.aoDistance; }),
     valued({"--nee", kTracing, kGroup, "next-event estimation: sample the lights at every path vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.request.image.nextEventEstimation; }),
     valued({"--sampler", kTracing, kGroup, "how random numbers are generated"},
-           choice(kSamplers), [](auto& a) -> auto& { return a.request.image.sampler; }),
+           named<render::SamplerKind>(), [](auto& a) -> auto& { return a.request.image.sampler; }),
     valued({"--filter", kTracing, kGroup, "pixel filter"},
-           choice<render::FilterKind>({{"box", render::FilterKind::box}, {"tent", render::FilterKind::tent}}), [](auto& a) -> auto& { return a.request.image.filter; }),
+           named<render::FilterKind>(), [](auto& a) -> auto& { return a.request.image.filter; }),
     valued({"--lens", kTracing, kGroup, "shape of the lens, if the scene's camera has an aperture"},
-           choice<render::LensKind>({{"disc", render::LensKind::disc}, {"square", render::LensKind::square}}), [](auto& a) -> auto& { return a.request.image.lens; }),
+           named<render::LensKind>(), [](auto& a) -> auto& { return a.request.image.lens; }),
     valued({"--pixel-origin", kTracing, kGroup, "points through which camera rays pass without jitter: the centres of the pixels, or the corners of a grid of (W-1)x(H-1) cells"},
-           choice<render::PixelOrigin>({{"centre", render::PixelOrigin::centre}, {"corner", render::PixelOrigin::corner}}), [](auto& a) -> auto& { return a.request.image.pixelOrigin; }),
+           named<render::PixelOrigin>(), [](auto& a) -> auto& { return a.request.image.pixelOrigin; }),
     valued({"--light-size", kTracing, kGroup, "for `whitted`: side of the square area lights that replace point lights; 0: point lights"},
            realNumber<float>("S", 0, 1e30f), [](auto& a) -> auto& { return a.request.image.lightSize; }),
     valued({"--clamp-indirect", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "limit of each contribution of light that was scattered twice or more, to suppress fireflies; the image becomes too dark, and its files say so; `off`: unbiased"},
            orAbsent(realNumber<float>("V", 1e-6f, 1e6f), "off"), [](auto& a) -> auto& { return a.request.image.indirectLimit; }),
     valued({"--background", kRender | kCompare | kBench | kExplain | kCapture | kView, kGroup, "what camera rays see where they hit nothing; `env`: the environment, sky or background colour that lights the scene; `colour`: the scene's background colour; `none`: nothing, and PNG and EXR files have alpha; the light on surfaces stays the same"},
-           choice<render::Backdrop>({{"env", render::Backdrop::environment}, {"colour", render::Backdrop::colour}, {"none", render::Backdrop::none}}), [](auto& a) -> auto& { return a.request.image.backdrop; }),
+           named<render::Backdrop>(), [](auto& a) -> auto& { return a.request.image.backdrop; }),
     valued({"--film-scale", kTracing, kGroup, "scale of the film, a power of two: samples up to 2^(20+N) are recorded in units of 2^(N-40), brighter ones are clamped; `auto`: 0, and more if the scene has strong lights"},
            orAbsent(wholeNumber(0, image::kMaxFilmScale), "auto"), [](auto& a) -> auto& { return a.request.filmScale; }),
     flag({"--aov-through-specular", kRender | kView, kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},

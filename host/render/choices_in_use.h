@@ -2,7 +2,7 @@
 #pragma once
 #include <optional>
 
-#include "host/render/settings.h"
+#include "host/render/setting_names.h"
 
 namespace candela::render {
 
@@ -17,78 +17,24 @@ enum class LayoutInUse { none, list, bvh2, cwbvh };
 /// The code that traces: the reference, or one of the kernels of a device. replay: it traces one sample and records it.
 enum class KernelInUse { reference, megakernel, wavefront, whitted, views, replay };
 
-/// Returns the name of an acceleration structure as on the command line: "none", "grid" or "bvh".
-constexpr const char* nameOf(AccelKind accel) {
-  switch (accel) {
-    case AccelKind::none:
-      return "none";
-    case AccelKind::grid:
-      return "grid";
-    case AccelKind::bvh:
-      break;
-  }
-  return "bvh";
-}
+template <>
+inline constexpr std::array kNamesOf<SplitInUse>{NamedValue{"sah", SplitInUse::sah},
+                                                 NamedValue{"midpoint", SplitInUse::midpoint},
+                                                 NamedValue{"median", SplitInUse::median}};
+template <>
+inline constexpr std::array kNamesOf<LayoutInUse>{NamedValue{"list", LayoutInUse::list},
+                                                  NamedValue{"bvh2", LayoutInUse::bvh2},
+                                                  NamedValue{"cwbvh", LayoutInUse::cwbvh}};
+template <>
+inline constexpr std::array kNamesOf<KernelInUse>{
+    NamedValue{"reference", KernelInUse::reference}, NamedValue{"megakernel", KernelInUse::megakernel},
+    NamedValue{"wavefront", KernelInUse::wavefront}, NamedValue{"whitted", KernelInUse::whitted},
+    NamedValue{"views", KernelInUse::views},         NamedValue{"replay", KernelInUse::replay}};
 
-/// Returns "sah", "midpoint" or "median"; empty without a BVH.
-constexpr const char* nameOf(SplitInUse split) {
-  switch (split) {
-    case SplitInUse::sah:
-      return "sah";
-    case SplitInUse::midpoint:
-      return "midpoint";
-    case SplitInUse::median:
-      return "median";
-    case SplitInUse::none:
-      break;
-  }
-  return "";
-}
-
-/// Returns "list", "bvh2" or "cwbvh"; empty if there is none.
-constexpr const char* nameOf(LayoutInUse layout) {
-  switch (layout) {
-    case LayoutInUse::list:
-      return "list";
-    case LayoutInUse::bvh2:
-      return "bvh2";
-    case LayoutInUse::cwbvh:
-      return "cwbvh";
-    case LayoutInUse::none:
-      break;
-  }
-  return "";
-}
-
-constexpr const char* nameOf(KernelInUse kernel) {
-  switch (kernel) {
-    case KernelInUse::megakernel:
-      return "megakernel";
-    case KernelInUse::wavefront:
-      return "wavefront";
-    case KernelInUse::whitted:
-      return "whitted";
-    case KernelInUse::views:
-      return "views";
-    case KernelInUse::replay:
-      return "replay";
-    case KernelInUse::reference:
-      break;
-  }
-  return "reference";
-}
-
-/// Returns the name as on the command line: "fast", "default" or "high"; empty if there is none.
-constexpr const char* nameOf(std::optional<BuildQuality> quality) {
-  if (!quality) return "";
-  if (*quality == BuildQuality::standard) return "default";
-  return *quality == BuildQuality::fast ? "fast" : "high";
-}
-
-/// Returns "texel" or "storage"; empty if the scene is read through neither. `loads` must not be automatic.
-constexpr const char* nameOf(std::optional<SceneLoads> loads) {
-  if (!loads) return "";
-  return *loads == SceneLoads::texel ? "texel" : "storage";
+/// Returns the name of a choice; empty if the session has none.
+template <class T>
+constexpr const char* nameOf(const std::optional<T>& choice) {
+  return choice ? nameOf(*choice) : "";
 }
 
 }  // namespace candela::render
