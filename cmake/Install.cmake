@@ -7,7 +7,7 @@ include(CMakePackageConfigHelpers)
 add_library(candela_all INTERFACE)
 add_library(candela::candela ALIAS candela_all)
 set_target_properties(candela_all PROPERTIES EXPORT_NAME candela)
-target_link_libraries(candela_all INTERFACE candela_formats candela_scene candela_image candela_film candela_generate candela_reference candela_device)
+target_link_libraries(candela_all INTERFACE candela_formats candela_scene candela_image candela_film candela_generate candela_reference candela_device candela_job)
 
 get_property(libraries GLOBAL PROPERTY CANDELA_EXPORTED)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/candela)

@@ -12,29 +12,6 @@ namespace candela::cli {
 
 using nlohmann::ordered_json;
 
-void requireAdaptable(const Arguments& arguments) {
-  if (!arguments.noiseThreshold) return;
-  const render::ImageSettings& image = arguments.request.image;
-  const std::uint32_t pilot = render::pilotSamples(*arguments.noiseThreshold);
-  if (image.sampleCount <= pilot) {
-    throw UsageError(
-        fmt::format("--noise-threshold {}: every pixel gets at least {} samples; set --spp, the maximum, above {}",
-                    *arguments.noiseThreshold, pilot, pilot));
-  }
-  if (arguments.samples) {
-    throw UsageError(
-        "--samples: with --noise-threshold, only all samples together decide where to stop; divide the image with "
-        "--crop instead");
-  }
-  if (image.crop) requireAligned(*image.crop, image.size);
-}
-
-std::optional<render::AdaptivePlan> planOf(const Arguments& arguments) {
-  if (!arguments.noiseThreshold) return std::nullopt;
-  const render::ImageSettings& image = arguments.request.image;
-  return render::AdaptivePlan(image.window(), *arguments.noiseThreshold, image.sampleCount);
-}
-
 std::string adaptiveText(const image::Film& film) {
   const render::SampleCounts counts = render::sampleCountsOf(film);
   return fmt::format("{} to {} samples per pixel, {:.1f} on average", counts.minSamples, counts.maxSamples,

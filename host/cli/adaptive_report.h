@@ -1,18 +1,12 @@
-// Reports on adaptive sampling, and the options that exclude it.
+// Reports on adaptive sampling.
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "host/cli/arguments.h"
-#include "host/film/film_header.h"
+#include "host/image/film.h"
+#include "host/render/adaptive_plan.h"
 
 namespace candela::cli {
-
-/// Throws UsageError if the resolved arguments combine adaptive sampling with options that exclude it.
-void requireAdaptable(const Arguments& arguments);
-
-/// Returns the plan of resolved arguments; nothing without --noise-threshold.
-std::optional<render::AdaptivePlan> planOf(const Arguments& arguments);
 
 /// Returns e.g. "16 to 256 samples per pixel, 38.5 on average". The film must have a pixel.
 std::string adaptiveText(const image::Film& film);

@@ -47,7 +47,7 @@ void refuseImageOptionsForScene(const Arguments& arguments) {
 void requireOutput(const Arguments& arguments) {
   if (arguments.command != Command::render) return;
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
-  if (!arguments.checkpoint.empty() || arguments.displayServer) return;
+  if (!arguments.film.checkpoint.empty() || arguments.displayServer) return;
   refuse(
       Command::render,
       "no output given: write the image with -o FILE or the film with --checkpoint FILE, or only measure with --stats "
@@ -67,7 +67,7 @@ void requireCompleteOptions(const Arguments& arguments) {
 }
 
 void requireFormats(const Arguments& arguments) {
-  for (const auto& film : {arguments.mergedFilm, arguments.checkpoint}) {
+  for (const auto& film : {arguments.mergedFilm, arguments.film.checkpoint}) {
     if (film == "-") throw UsageError("-: a film is not written to stdout; name a file");
     refuseOtherFormat(film, {".exr"}, "a film is an OpenEXR file");
   }

@@ -11,6 +11,7 @@
 #include "host/core/log.h"
 #include "host/core/tcp_client.h"
 #include "host/image/image.h"
+#include "host/job/job.h"
 #include "host/render/request.h"
 #include "host/render/session.h"
 #include "host/scene/load.h"
@@ -40,9 +41,6 @@ enum class Command : unsigned {
   view = 65536,
   report = 131072
 };
-
-/// The renderer that finishes a render after its device has failed for good.
-enum class Fallback { none, reference };
 
 struct PixelPosition {
   std::uint32_t x = 0;  ///< from the left
@@ -93,16 +91,8 @@ struct Arguments {
   std::optional<float>
       exposure = 0.0f;  ///< in stops, which chooseDisplay() sets in `display`; empty: computed from the image
 
-  std::optional<double> noiseThreshold;  ///< relative error at which regions stop; empty: all have the same samples
-
-  std::optional<render::SampleRange> samples;  ///< part of the samples of each pixel; empty: all
-  std::filesystem::path checkpoint;            ///< film file; empty for none
-  double checkpointEvery = 60;                 ///< minimum time between two writes in seconds
-  std::filesystem::path resume;                ///< film file; empty for none
-  bool resumeAnyway = false;
-  std::optional<double> timeLimit;    ///< of a render, in seconds
-  std::optional<double> hangTimeout;  ///< vulkan::DeviceOptions::hangTimeout
-  Fallback fallback = Fallback::none;
+  job::FilmPolicy film;                 ///< of a render
+  std::optional<double> hangTimeout;    ///< vulkan::DeviceOptions::hangTimeout
   std::optional<std::uint64_t> memory;  ///< memory budget in bytes; empty: that of the machine
   std::filesystem::path mergedFilm;     ///< film file that `merge` writes
   bool mixedDevices = false;            ///< for `merge`

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 // sample.
 std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
   arguments.request.sampleCount.reset();
-  arguments.noiseThreshold.reset();  // the sample is the same without it
+  arguments.film.noiseThreshold.reset();  // the sample is the same without it
   arguments.request.image.seed = pixel.seed;
   std::string words = shellQuoted(arguments.files.front());
   for (const OptionGroup group : {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution}) {

@@ -19,9 +19,9 @@ using bench::RayTracer;
 
 // Returns false if it was interrupted.
 bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, RayReport& report) {
-  const auto tracers = bench::deviceTracers(device, job.scene, job.settings);
+  const auto tracers = bench::deviceTracers(device, job.scene(), job.settings);
   const device::RaySets sets = tracers.front()->makeRays();
-  log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, runs of each: {}", job.scene.name,
+  log.note(fmt::format("{}: {} primary, {} diffuse and {} shadow rays, {} layouts, runs of each: {}", job.scene().name,
                        sets[gpu::kPrimaryRay].size(), sets[gpu::kDiffuseRay].size(), sets[gpu::kShadowRay].size(),
                        tracers.size(), report.repeats));
   std::vector<RayTracer*> all;
@@ -29,7 +29,7 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
   std::vector<RayMeasurement> measurements = bench::measureRays(all, sets, report.repeats, &watchInterrupts());
   for (std::size_t i = 0; i < measurements.size(); ++i) {
     const DeviceTracer& tracer = *tracers[i % tracers.size()];
-    report.rows.push_back({job.scene.name, job.scene.hash, nameOf(tracer.layout()), tracer.sceneLoads(),
+    report.rows.push_back({job.scene().name, job.scene().hash, nameOf(tracer.layout()), tracer.sceneLoads(),
                            tracer.sceneBytes(), std::move(measurements[i])});
   }
   return !measurements.empty();

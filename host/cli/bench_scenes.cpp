@@ -31,7 +31,7 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
   std::vector<Variant> variants;
   for (const SweptArguments& swept : sweeps) {
     Arguments resolved = swept.arguments;
-    render::RenderSettings settings = resolveRequests(resolved, job.scene, log);
+    render::RenderSettings settings = resolveRequests(resolved, job.scene(), log);
     variants.push_back({swept.name, std::move(settings), commandLineOf(resolved, OptionGroup::image, false)});
   }
   return variants;
@@ -41,15 +41,15 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
 bool measureScene(const Arguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
   const RenderJob job = loadJob(arguments, log);
   const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
-  log.note(
-      fmt::format("{}: {}, runs of each: {}", job.scene.name, counted(variants.size(), "variant"), arguments.repeats));
+  log.note(fmt::format("{}: {}, runs of each: {}", job.scene().name, counted(variants.size(), "variant"),
+                       arguments.repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   const render::RenderControl control = makeControl(progress);
-  std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene, variants, arguments.repeats,
+  std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene(), variants, arguments.repeats,
                                                                     control);
-  if (measurements.empty() || !bench::measureNoise(renderer, job.scene, measurements, control)) return false;
+  if (measurements.empty() || !bench::measureNoise(renderer, job.scene(), measurements, control)) return false;
   for (Measurement& measurement : measurements) {
-    report.rows.push_back({job.scene.name, job.scene.hash, std::move(measurement)});
+    report.rows.push_back({job.scene().name, job.scene().hash, std::move(measurement)});
   }
   return true;
 }

@@ -91,7 +91,7 @@ bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& r
     Arguments one = arguments;
     one.files = {arguments.files[i]};
     const RenderJob job = loadJob(one, log);
-    if (!append(measureScene(job.scene, job.settings, job.arguments, *renderer, log), report)) return false;
+    if (!append(measureScene(job.scene(), job.settings, job.arguments, *renderer, log), report)) return false;
   }
   return true;
 }

@@ -61,7 +61,7 @@ Capture captureOfCase(const Case& question, const Arguments& arguments) {
 std::unique_ptr<capture::SceneParts> partsOf(const RenderJob& job) {
   const std::filesystem::path file = job.arguments.files.front();
   const std::string text = scene::readFile(file);
-  if (!scene::nffLoader().recognises(text)) return capture::primitivesOf(job.scene);
+  if (!scene::nffLoader().recognises(text)) return capture::primitivesOf(job.scene());
   return capture::statementsOf(text, file.string(), scene::folderOrCurrent(file.parent_path()).string(),
                                job.arguments.loadOptions);
 }
@@ -76,7 +76,7 @@ Capture captureOfScene(const Arguments& arguments, const Log& log) {
   if (const auto other = otherDevice(arguments, request.device.info)) request.expect = {*other};
   request.shrinkSeconds = arguments.capture.shrinkSeconds;
   request.stop = &watchInterrupts();
-  return captureScene(job.scene, *partsOf(job), request);
+  return captureScene(job.scene(), *partsOf(job), request);
 }
 
 bool looksLikeCase(const std::string& word) {

@@ -23,7 +23,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   const verify::AgreementReport report = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return verify::compareTracers(job.scene, job.settings, *device, *reference, arguments.verification,
+    return verify::compareTracers(job.scene(), job.settings, *device, *reference, arguments.verification,
                                   makeControl(progress));
   }();
   render::requireComplete(report.deviceStatistics);

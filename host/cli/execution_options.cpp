@@ -43,7 +43,7 @@ std::vector<Option> executionOptions() {
     valued({"--hang-timeout", kTracing | kTune | kDenoise, kGroup, "time after which a device that has not finished its work counts as hung; 0s: never; `auto`: 50 times the longest dispatch and at least 10 s, or never on devices in software"},
            orAbsent(duration(0), "auto"), [](auto& a) -> auto& { return a.hangTimeout; }),
     valued({"--fallback", kRender, kGroup, "what finishes the render if the device fails permanently or no device is found; `cpu`: the reference tracer, and a film with samples of both is marked as mixed"},
-           choice<Fallback>({{"none", Fallback::none}, {"cpu", Fallback::reference}}), [](auto& a) -> auto& { return a.fallback; }),
+           choice<job::Fallback>({{"none", job::Fallback::none}, {"cpu", job::Fallback::reference}}), [](auto& a) -> auto& { return a.film.fallback; }),
     valued({"--memory", kReadingScenes | kFilm | kMerge | kDenoise, kGroup, "maximum memory to use; work that needs more is refused before memory is allocated"},
            orAbsent(byteCount(), "that of the machine or of its control group"), [](auto& a) -> auto& { return a.memory; }),
     flag({"--untuned", kTracing, kGroup, "ignore the results of `candela tune`"}, [](auto& a) -> auto& { return a.untuned; }),

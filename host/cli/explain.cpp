@@ -28,7 +28,7 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
   verify::PathRenders renders;  // `compare` reports bad samples
   const std::optional<verify::PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return verify::comparePaths(job.scene, job.settings, device, reference, job.arguments.verification.alpha,
+    return verify::comparePaths(job.scene(), job.settings, device, reference, job.arguments.verification.alpha,
                                 makeControl(progress), renders);
   }();
   if (!pixels) {
@@ -36,13 +36,13 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
     return ExitCode::interrupted;
   }
   render::requireComplete(renders.deviceStatistics);
-  if (const std::optional<Explanation> worst = explain::explainWorst(job.scene, job.settings, *pixels, device,
+  if (const std::optional<Explanation> worst = explain::explainWorst(job.scene(), job.settings, *pixels, device,
                                                                      reference)) {
     publish(*worst, job.arguments);
     return ExitCode::done;
   }
   if (job.arguments.wantsText()) std::cout << explain::nothingToExplain(*pixels) << std::endl;
-  writeJson(job.arguments.json, explain::nothingJson(job.scene, *pixels));
+  writeJson(job.arguments.json, explain::nothingJson(job.scene(), *pixels));
   return ExitCode::done;
 }
 
@@ -56,7 +56,7 @@ ExitCode runExplain(const Arguments& arguments, const Log& log) {
   const std::unique_ptr<render::Renderer> device = makeRenderer(arguments, log);
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   if (!sample) return explainWorstPixel(job, log, *device, *reference);
-  publish(explain::explainSample(job.scene, job.settings, *sample, *device, *reference), job.arguments);
+  publish(explain::explainSample(job.scene(), job.settings, *sample, *device, *reference), job.arguments);
   return ExitCode::done;
 }
 

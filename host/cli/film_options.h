@@ -5,8 +5,6 @@
 #include <optional>
 #include <string>
 
-#include "host/film/film_header.h"
-
 namespace candela::cli {
 
 /// Returns the option that gives a setting of FilmHeader::settings its value, e.g. "--max-depth 4" or "--one-sided".
@@ -15,9 +13,5 @@ std::optional<std::string> optionOf(const std::string& name, const std::string& 
 
 /// Returns the settings of a film as reports of renders have them: see settingValue().
 nlohmann::ordered_json settingsJson(const std::map<std::string, std::string>& settings);
-
-/// Returns what to change on the command line so that a render with the header `render` continues `film`, e.g.
-/// "use --size 96x96 --seed 3, and leave out --one-sided". Empty if no options achieve that.
-std::string stepsToResume(const film::FilmHeader& film, const film::FilmHeader& render);
 
 }  // namespace candela::cli

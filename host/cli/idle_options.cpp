@@ -26,7 +26,8 @@ bool usesDevice(const Arguments& arguments) { return !arguments.usesReference();
 
 // All commands but `render` use the reference tracer, too.
 bool usesReferenceThreads(const Arguments& arguments) {
-  return arguments.usesReference() || arguments.command != Command::render || arguments.fallback == Fallback::reference;
+  return arguments.usesReference() || arguments.command != Command::render ||
+         arguments.film.fallback == job::Fallback::reference;
 }
 
 bool buildsDeviceBvh(const Arguments& arguments) {
@@ -101,7 +102,7 @@ void noteIdleOptions(const Arguments& arguments, const Log& log) {
 }
 
 void noteLostAlpha(const Arguments& arguments, const Log& log) {
-  const bool hasOther = arguments.outputs.empty() || !arguments.checkpoint.empty() || arguments.displayServer;
+  const bool hasOther = arguments.outputs.empty() || !arguments.film.checkpoint.empty() || arguments.displayServer;
   if (arguments.request.image.backdrop != render::Backdrop::none || hasOther) return;
   if (std::ranges::any_of(arguments.outputs, hasAlphaChannel)) return;
   log.note(

@@ -41,6 +41,13 @@ std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool on
   return line;
 }
 
+std::string optionWords(std::string_view name, std::string_view value) {
+  const std::string words = "--" + std::string(name);
+  const auto found = std::ranges::find(optionTable(), words, &Option::name);
+  const bool isFlag = found != optionTable().end() && found->isFlag();
+  return value.empty() || isFlag ? words : words + ' ' + shellQuoted(std::string(value));
+}
+
 std::string shellQuoted(const std::string& word) {
   if (!word.empty() && word.find_first_not_of(kPlainCharacters) == std::string::npos) return word;
   std::string quoted = "'";

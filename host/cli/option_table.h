@@ -73,4 +73,7 @@ inline constexpr std::string_view
 /// Returns `word` quoted for a POSIX shell.
 std::string shellQuoted(const std::string& word);
 
+/// Names a setting by its option, as messages of libraries do in this program: see setSettingWords().
+std::string optionWords(std::string_view name, std::string_view value);
+
 }  // namespace candela::cli

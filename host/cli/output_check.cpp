@@ -69,9 +69,9 @@ void requireWritableImage(const std::filesystem::path& file) {
 }
 
 std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const Log& log) {
-  const std::filesystem::path& file = arguments.checkpoint;
-  const bool continuesFile = areSame(file, arguments.resume);
-  if (!arguments.resume.empty() && !continuesFile) film::requireUnlocked(arguments.resume);
+  const std::filesystem::path& file = arguments.film.checkpoint;
+  const bool continuesFile = areSame(file, arguments.film.resume);
+  if (!arguments.film.resume.empty() && !continuesFile) film::requireUnlocked(arguments.film.resume);
   if (file.empty()) return std::nullopt;
   requireWritableFilm(file);
   film::FilmLock lock(file);  // before the next check, since another render may be about to create the film
@@ -82,7 +82,7 @@ std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const L
 
 void requireLayerFile(const Arguments& arguments) {
   if (arguments.request.image.layers.isEmpty()) return;
-  if (!arguments.checkpoint.empty() || arguments.displayServer) return;
+  if (!arguments.film.checkpoint.empty() || arguments.displayServer) return;
   if (std::ranges::any_of(arguments.outputs, image::isExr)) return;
   throw UsageError("--aov: layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE");
 }

@@ -17,7 +17,6 @@
 #include "host/cli/render_job.h"
 #include "host/cli/statistics_report.h"
 #include "host/cli/text_output.h"
-#include "host/cli/trace_film.h"
 #include "host/core/counted.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
@@ -33,24 +32,23 @@ std::string meanSamples(const image::Film& film) {
   return fmt::format("{:g}", std::round(10 * render::sampleCountsOf(film).meanSamples) / 10);
 }
 
-std::string doneText(const RenderReport& report) {
-  const Arguments& arguments = report.job.arguments;
+std::string doneText(const RenderReport& report, bool isTimeUp) {
+  const job::FilmPolicy& film = report.job.film;
   const std::uint32_t total = report.job.settings.image.sampleCount;
   if (report.result.interrupted) {
-    const bool isTimeUp = arguments.timeLimit && report.totalSeconds >= *arguments.timeLimit;
     return fmt::format("{} after {} of {} per pixel", isTimeUp ? "stopped by --time-limit" : "interrupted",
                        meanSamples(report.result.film), counted(total, "sample"));
   }
-  if (arguments.noiseThreshold) return adaptiveText(report.result.film);
-  if (const auto& range = arguments.samples) {
+  if (film.noiseThreshold) return adaptiveText(report.result.film);
+  if (const auto& range = film.samples) {
     return fmt::format("samples {}:{} of {} per pixel", range->first, range->end, total);
   }
   return counted(total, "sample") + " per pixel";
 }
 
-void summarise(const RenderReport& report, const Log& log) {
+void summarise(const RenderReport& report, bool isTimeUp, const Log& log) {
   log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(report.job.settings.image.window().extent()),
-                       doneText(report), report.totalSeconds, report.result.statistics.device));
+                       doneText(report, isTimeUp), report.totalSeconds, report.result.statistics.device));
 }
 
 image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
@@ -75,7 +73,7 @@ bool writePictures(const RenderJob& job, const render::RenderResult& result, con
 
 // The name of the image in a display server.
 std::string shownName(const RenderJob& job) {
-  return job.arguments.outputs.empty() ? job.scene.name : job.arguments.outputs.front().filename().string();
+  return job.arguments.outputs.empty() ? job.scene().name : job.arguments.outputs.front().filename().string();
 }
 
 }  // namespace
@@ -92,32 +90,34 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
   std::atomic<bool>& writeRequested = watchWriteRequests();
   const RenderJob job = loadJob(withDenoiseLayers(arguments), log);
   requireDenoisable(job);
-  TraceControl control{watchInterrupts(), arguments.checkpoint.empty() ? nullptr : &writeRequested};
+  job::JobControl control{&watchInterrupts(), arguments.film.checkpoint.empty() ? nullptr : &writeRequested,
+                          progressStyle(log.verbosity())};
+  control.start = start;
   std::optional<DisplayStream> display;
   if (arguments.displayServer) {
     display.emplace(*arguments.displayServer, shownName(job), log);
     control.show = [&](const image::Film& film) { display->show(pictureOf(film, job.settings.image.hasAlpha(), {})); };
   }
-  const TracedFilm traced = traceFilm(job, start, control, log);
-  const render::RenderResult& result = traced.result;
+  const job::JobResult ended = job::runJob(job, openDevice(job.arguments, log), control, log);
+  const render::RenderResult& result = ended.result;
 
   const double writeStart = monotonicSeconds();
   const bool hasPictures = writePictures(job, result, log);
   const double end = monotonicSeconds();
-  RenderReport report{job, result, end - writeStart, end - start, {}, traced.work};
+  RenderReport report{job, result, end - writeStart, end - start, {}, ended.work};
   report.badSamples.add(result.film, job.settings.image);
   reportFlaws(report, log);
-  if (arguments.checkpoint.empty() && writeRequested) {
+  if (arguments.film.checkpoint.empty() && writeRequested) {
     log.warning("SIGUSR1 was ignored: it writes the film of --checkpoint, and this render has none");
   }
-  summarise(report, log);
+  summarise(report, ended.isTimeUp, log);
   if (arguments.printStatistics) textStream(arguments) << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));
-  if (traced.failure) {
-    log.problem(traced.failure->message);
-    return traced.failure->code;
+  if (ended.failure) {
+    log.problem(ended.failure->message);
+    return ended.failure->code;
   }
-  if (traced.isFilmLost || !hasPictures) return ExitCode::file;
+  if (ended.isFilmLost || !hasPictures) return ExitCode::file;
   const ExitCode code = result.interrupted ? ExitCode::interrupted : ExitCode::done;
   return strictly(code, result.statistics.badSamples, arguments, log);
 }

@@ -37,8 +37,8 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
   const std::string reading = commandLineOf(job.arguments, OptionGroup::sceneFile, true);
   if (!reading.empty()) settings += " " + reading;
   Metadata metadata{{"candela.version", versionText()},
-                    {"candela.scene", job.scene.name},
-                    {"candela.sceneHash", hashText(job.scene.hash)},
+                    {"candela.scene", job.scene().name},
+                    {"candela.sceneHash", hashText(job.scene().hash)},
                     {"candela.filmHash", hashText(result.film.hash())},
                     {"candela.samplesPerPixel", fmt::to_string(job.settings.image.sampleCount)},
                     {verify::kSeedMetadata, fmt::to_string(job.settings.image.seed)},
@@ -47,13 +47,12 @@ Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
                     {"candela.settings", settings},
                     {"candela.interrupted", result.interrupted ? "yes" : "no"}};
   if (job.settings.image.crop) metadata["candela.crop"] = windowText(*job.settings.image.crop);
-  if (job.arguments.samples) {
-    metadata["candela.samples"] = fmt::format("{}:{}", job.arguments.samples->first, job.arguments.samples->end);
+  if (const auto& range = job.film.samples) {
+    metadata["candela.samples"] = fmt::format("{}:{}", range->first, range->end);
   }
-  addMatteMetadata(job.settings.image.layers, matteNamesOf(job.scene, result.film), metadata);
+  addMatteMetadata(job.settings.image.layers, matteNamesOf(job.scene(), result.film), metadata);
   if (job.settings.image.indirectLimit) addBias(metadata, biasText(*job.settings.image.indirectLimit));
-  if (const auto& threshold = job.arguments.noiseThreshold)
-    addBias(metadata, adaptiveBiasText(fmt::to_string(*threshold)));
+  if (const auto& threshold = job.film.noiseThreshold) addBias(metadata, adaptiveBiasText(fmt::to_string(*threshold)));
   return metadata;
 }
 

@@ -3,15 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "host/cli/adaptive_report.h"
 #include "host/cli/idle_options.h"
-#include "host/cli/memory_check.h"
 #include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
 #include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/device/gpu_renderer.h"
-#include "host/device/kernel.h"
 #include "host/formats/load_scene.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
@@ -20,37 +17,11 @@
 namespace candela::cli {
 namespace {
 
-void requirePixelLimit(const render::Extent& size) {
-  if (std::uint64_t{size.width} * size.height <= image::kMaxImagePixels) return;
-  throw FileError(fmt::format("an image of {}x{} pixels exceeds the limit of {} pixels", size.width, size.height,
-                              image::kMaxImagePixels));
-}
-
-void requireCropWithin(const render::ImageSettings& image) {
-  if (!image.crop || isWithin(*image.crop, image.size)) return;
-  throw UsageError(
-      fmt::format("--crop {} is not within the image of {} pixels", windowText(*image.crop), extentText(image.size)));
-}
-
 void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& scene, const Log& log) {
   if (settings.image.integrator != render::Integrator::whitted || !scene.pointLights.empty()) return;
   log.warning(
       "the scene has no point light, and --integrator whitted ignores all other lights: surfaces show only their own "
       "emission");
-}
-
-// `arguments` are complete.
-void requirePossible(const Arguments& arguments, const render::RenderSettings& settings, const scene::Scene& scene,
-                     const Log& log) {
-  device::requireKernel(settings);
-  render::requireIntegrator(scene, settings);
-  requirePixelLimit(settings.image.size);
-  requireCropWithin(settings.image);
-  requireAdaptable(arguments);
-  requireMemoryForRender(scene, arguments);
-  noteIdleOptions(arguments, log);
-  noteLostAlpha(arguments, log);
-  warnOfDarkness(settings, scene, log);
 }
 
 }  // namespace
@@ -69,7 +40,10 @@ render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene&
   request.image = settings.image;
   request.structure = settings.structure;
   request.execution = settings.execution;
-  requirePossible(arguments, settings, scene, log);
+  job::requirePossible(scene, settings, arguments.film, !arguments.outputs.empty());
+  noteIdleOptions(arguments, log);
+  noteLostAlpha(arguments, log);
+  warnOfDarkness(settings, scene, log);
   return settings;
 }
 
@@ -83,9 +57,9 @@ scene::LoadedScene readScene(const Arguments& arguments, const Log& log) {
 
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log) {
   Arguments complete = arguments;
+  if (!arguments.outputs.empty()) complete.film.rescueBeside = arguments.outputs.front();
   render::RenderSettings settings = resolveRequests(complete, *scene, log);
-  RenderJob job{std::move(complete), std::move(settings), std::move(scene)};
-  return job;
+  return {{std::move(scene), complete.loadOptions, std::move(settings), complete.film}, std::move(complete)};
 }
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
@@ -102,6 +76,11 @@ std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const
   auto cached = std::make_unique<CachedDevice>(arguments, log);
   render::AutomaticChoices choices = automaticChoices(arguments, cached->device().info(), log);
   return std::make_unique<TunedRenderer>(std::move(cached), std::move(choices), log);
+}
+
+job::OpenDevice openDevice(const Arguments& arguments, const Log& log) {
+  if (arguments.usesReference()) return {};
+  return [&arguments, &log] { return makeRenderer(arguments, log); };
 }
 
 render::RenderControl makeControl(Progress& progress) {

@@ -6,19 +6,17 @@
 #include "host/cli/arguments.h"
 #include "host/core/log.h"
 #include "host/core/progress.h"
+#include "host/job/run_job.h"
 #include "host/render/renderer.h"
 #include "host/scene/load.h"
 #include "host/scene/scene.h"
 
 namespace candela::cli {
 
-struct RenderJob {
-  Arguments arguments;  ///< complete: nothing depends on the scene file any more
-  render::RenderSettings settings;
-  /// Jobs may share a scene, which lives as long as one of them.
-  std::shared_ptr<const scene::Scene> sharedScene = std::make_shared<scene::Scene>();
+/// A job with the arguments of its command.
+struct RenderJob : job::Job {
+  Arguments arguments{};  ///< complete: nothing depends on the scene file any more
   double parseSeconds = 0;
-  const scene::Scene& scene = *sharedScene;
 };
 
 /// Reads the first of `arguments.files`, which must have a view. Warnings about the file go to the log. Throws
@@ -40,6 +38,9 @@ render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene&
 /// Returns the reference for kReferenceDevice, else a Vulkan device, on which `auto` means the result of `candela tune`
 /// unless --untuned is given. Throws NoDeviceError.
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log);
+/// Returns the function that opens this device for job::runJob(), which is empty for the reference. It refers to both
+/// arguments.
+job::OpenDevice openDevice(const Arguments& arguments, const Log& log);
 
 /// Reports progress on stderr; SIGINT and SIGTERM stop the render.
 render::RenderControl makeControl(Progress& progress);

@@ -36,7 +36,7 @@ Report tracersReport(const RenderJob& job, const image::Film& device, const imag
   page.display = chooseDisplay(job.arguments, page.b);
   page.comparison = compareImages(page.a, page.b);
   page.flip = computeFlip(displayed(page.a, page.display), displayed(page.b, page.display));
-  const std::string sceneHash = hashText(job.scene.hash);
+  const std::string sceneHash = hashText(job.scene().hash);
   page.facts = {{"Tracer", statistics.device, "the reference: double precision, on the CPU"},
                 {"Driver", statistics.driver, "none"},
                 {"Kernel", nameOf(statistics.kernel), "none"},
@@ -67,7 +67,7 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
 
 Report agreementReport(const Arguments& arguments, const RenderJob& job, const verify::AgreementReport& agreement) {
   Report page = tracersReport(job, agreement.deviceFilm, agreement.referenceFilm, agreement.deviceStatistics);
-  page.title = job.scene.name + ": device and reference, equal random numbers";
+  page.title = job.scene().name + ": device and reference, equal random numbers";
   page.outcome = report::outcomeOf(agreement.conclusion());
   page.verdict = agreementSentence(agreement);
   if (agreement.doubt() != verify::Doubt::none) page.verdict = agreement.verdict() + " " + page.verdict;
@@ -82,7 +82,7 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
 Report verificationReport(const Arguments& arguments, const RenderJob& job, const verify::VerifyReport& verification) {
   const verify::LightTestResult& light = verification.light;
   Report page = tracersReport(job, light.deviceFilm, light.referenceFilm, light.deviceStatistics);
-  page.title = job.scene.name + ": the verdict on the device";
+  page.title = job.scene().name + ": the verdict on the device";
   page.outcome = report::outcomeOf(verification.conclusion());
   page.verdict = verification.verdict();
   page.tests = light;

@@ -55,16 +55,16 @@ std::vector<Option> outputOptions() {
 std::vector<Option> filmOptions() {
   constexpr OptionGroup kGroup = OptionGroup::film;
   return {
-    path({"--checkpoint", kRender, kGroup, "film file from which the render can be resumed; written during the render, when it is stopped, on SIGUSR1, and at the end"}, "FILE", [](auto& a) -> auto& { return a.checkpoint; }),
+    path({"--checkpoint", kRender, kGroup, "film file from which the render can be resumed; written during the render, when it is stopped, on SIGUSR1, and at the end"}, "FILE", [](auto& a) -> auto& { return a.film.checkpoint; }),
     valued({"--checkpoint-every", kRender, kGroup, "minimum time between two writes of the film, which also take at most 1 % of the time"},
-           duration(0), [](auto& a) -> auto& { return a.checkpointEvery; }),
-    path({"--resume", kRender, kGroup, "resume the render of a film file, up to --spp samples per pixel"}, "FILE", [](auto& a) -> auto& { return a.resume; }),
+           duration(0), [](auto& a) -> auto& { return a.film.checkpointEvery; }),
+    path({"--resume", kRender, kGroup, "resume the render of a film file, up to --spp samples per pixel"}, "FILE", [](auto& a) -> auto& { return a.film.resume; }),
     flag({"--resume-anyway", kRender, kGroup, "resume although scene, settings or device differ; the film is marked as mixed"},
-         [](auto& a) -> auto& { return a.resumeAnyway; }),
+         [](auto& a) -> auto& { return a.film.resumeAnyway; }),
     valued({"--time-limit", kRender, kGroup, "stop after this time, as Ctrl-C does"},
-           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.timeLimit; }),
+           orAbsent(duration(0), "none"), [](auto& a) -> auto& { return a.film.timeLimit; }),
     valued({"--samples", kRender, kGroup, "render samples A to B - 1 of the --spp of each pixel"},
-           orAbsent(sampleRange(render::kMaxSampleCount), "all"), [](auto& a) -> auto& { return a.samples; }),
+           orAbsent(sampleRange(render::kMaxSampleCount), "all"), [](auto& a) -> auto& { return a.film.samples; }),
     valued({"--crop", kRender, kGroup, "render a window: its left column, top row, width and height in pixels of the full image"},
            orAbsent(window(image::kMaxImageSide), "the image"), [](auto& a) -> auto& { return a.request.image.crop; }),
     path({"-o,--output", kMerge, kGroup, "for `merge`: the film file that is written"}, "FILE", [](auto& a) -> auto& { return a.mergedFilm; }),

@@ -59,7 +59,7 @@ std::vector<Option> imageOptions() {
     flag({"--aov-through-specular", kRender | kView, kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},
          [](auto& a) -> auto& { return a.request.image.layersThroughSpecular; }),
     valued({"--noise-threshold", kRender, kGroup, "sample adaptively: stop sampling a pixel when its estimated relative error is at most T, for example 0.1; --spp is the maximum number of samples; `off`: --spp samples everywhere"},
-           orAbsent(fraction("T", 1e-6, 1e6), "off"), [](auto& a) -> auto& { return a.noiseThreshold; }),
+           orAbsent(fraction("T", 1e-6, 1e6), "off"), [](auto& a) -> auto& { return a.film.noiseThreshold; }),
     flag({"--one-sided", kTracing, kGroup, "let rays pass through the backs of opaque polygons and planes, as in NFF"},
          [](auto& a) -> auto& { return a.request.image.oneSided; }),
   };

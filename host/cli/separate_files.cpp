@@ -55,7 +55,7 @@ std::vector<Output> outputsOf(const Arguments& arguments) {
   const bool writesScene = arguments.command == Command::generate || arguments.command == Command::boxes;
   if (writesScene) outputs.push_back({arguments.generatedFile, "-o"});
   for (const fs::path& image : arguments.outputs) outputs.push_back({image, "-o"});
-  addFilm(arguments.checkpoint, "--checkpoint", outputs);
+  addFilm(arguments.film.checkpoint, "--checkpoint", outputs);
   addFilm(arguments.mergedFilm, "-o", outputs);
   return outputs;
 }
@@ -88,8 +88,8 @@ std::vector<fs::path> inputsOf(const Arguments& arguments) {
   std::vector<fs::path> films;
   if (arguments.command == Command::merge || arguments.command == Command::film)
     films.assign(arguments.files.begin(), arguments.files.end());
-  if (!arguments.resume.empty() && !areSameFile(arguments.resume, arguments.checkpoint))
-    films.push_back(arguments.resume);
+  if (!arguments.film.resume.empty() && !areSameFile(arguments.film.resume, arguments.film.checkpoint))
+    films.push_back(arguments.film.resume);
   for (const fs::path& film : films) inputs.insert(inputs.end(), {film, film::workFile(film)});
   return inputs;
 }

@@ -80,8 +80,8 @@ ordered_json toJson(const RenderReport& report) {
   const ordered_json seconds = phaseSecondsJson(report);
   const double traceSeconds = seconds["trace"];
   ordered_json json = reportHead("candela-render/1");
-  json["scene"] = report.job.scene.name;
-  json["sceneHash"] = hashText(report.job.scene.hash);
+  json["scene"] = report.job.scene().name;
+  json["sceneHash"] = hashText(report.job.scene().hash);
   json["filmHash"] = hashText(report.result.film.hash());
   json["settings"] = settingsJson(report.job.arguments);
   json["filmScale"] = report.result.film.scale();
@@ -101,9 +101,9 @@ ordered_json toJson(const RenderReport& report) {
   json["segmentsPerDispatch"] = statistics.maxSegmentsPerDispatch;
   json["threads"] = statistics.threads;
   json["deviceBytes"] = statistics.deviceBytes;
-  json["memory"] = toJson(scene::memoryOf(report.job.scene));
+  json["memory"] = toJson(scene::memoryOf(report.job.scene()));
   json["samples"] = statistics.samples;
-  if (const auto plan = planOf(report.job.arguments)) {
+  if (const auto plan = job::planOf(report.job)) {
     json["adaptive"] = adaptiveJson(*plan, report.result.film, report.job.settings.image.sampleCount);
   }
   json["rays"] = raysJson(statistics);

@@ -24,8 +24,8 @@ namespace {
 // whatever the verdict.
 void explainWorst(const verify::VerifyReport& report, const RenderJob& job, render::Renderer& device,
                   render::Renderer& reference, bool asText, nlohmann::ordered_json& json) {
-  const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene, job.settings, report.paths, device,
-                                                                          reference);
+  const std::optional<explain::Explanation> worst = explain::explainWorst(job.scene(), job.settings, report.paths,
+                                                                          device, reference);
   if (worst) render::requireComplete(worst->statistics);
   json["explanation"] = worst ? toJson(*worst) : nlohmann::ordered_json();
   if (asText)
@@ -47,7 +47,7 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   control.stop = &watchInterrupts();
   verify::LightTestOptions options = arguments.verification;
   options.keepFilms = !arguments.report.empty();
-  const verify::VerifyReport report = verify::verifyScene(job.scene, job.settings, *device, *reference, options,
+  const verify::VerifyReport report = verify::verifyScene(job.scene(), job.settings, *device, *reference, options,
                                                           control);
   const bool asText = arguments.wantsText() && arguments.junit != "-";
   if (asText) std::cout << toText(report) << std::flush;

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "host/cli/command_line.h"
 #include "host/core/errors.h"
+#include "host/core/json_text.h"
 #include "host/python/file_names.h"
 
 namespace candela::python {
@@ -175,6 +177,18 @@ cli::Arguments argumentsOf(const FunctionOptions& function, const py::kwargs& op
     }
   }
   return cli::parseOptions(function.command, words);
+}
+
+std::string keywordWords(std::string_view name, std::string_view value) {
+  const std::string option = "--" + std::string(name);
+  const auto found = std::ranges::find(cli::optionTable(), option, &cli::Option::name);
+  if (found == cli::optionTable().end()) return option;
+  const std::string keyword = keywordOf(*found);
+  if (value.empty()) return keyword;
+  if (found->isFlag()) return keyword + "=True";
+  const bool isNumber = value.find_first_not_of("0123456789.") == std::string_view::npos;
+  // A literal of JSON is one of Python.
+  return fmt::format("{}={}", keyword, isNumber ? std::string(value) : jsonText(nlohmann::json(value)));
 }
 
 std::string helpOf(const FunctionOptions& function) {

@@ -28,6 +28,9 @@ extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessi
 /// option. Throws UsageError with the messages of the command line.
 cli::Arguments argumentsOf(const FunctionOptions& function, const pybind11::kwargs& options);
 
+/// Names a setting by its keyword, as messages of libraries do in Python: see setSettingWords().
+std::string keywordWords(std::string_view name, std::string_view value);
+
 /// Returns one line for each option: name, values, help and default.
 std::string helpOf(const FunctionOptions& function);
 

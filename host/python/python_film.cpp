@@ -41,7 +41,7 @@ cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, con
   const cli::Arguments given = argumentsOf(kSaveOptions, options);
   cli::Arguments arguments = film.arguments;
   arguments.outputs = outputs;
-  arguments.checkpoint = filmFile;
+  arguments.film.checkpoint = filmFile;
   arguments.display = given.display;
   arguments.exposure = given.exposure;
   if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");

@@ -5,7 +5,6 @@
 #include "host/cli/output_check.h"
 #include "host/cli/separate_files.h"
 #include "host/cli/statistics_report.h"
-#include "host/cli/trace_film.h"
 #include "host/core/json_text.h"
 #include "host/core/progress.h"
 #include "host/python/options.h"
@@ -22,13 +21,14 @@ using Film = std::shared_ptr<PythonFilm>;
 Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
   const double start = monotonicSeconds();
   const cli::RenderJob job = renderJobOf(scene, arguments, log);
-  cli::TracedFilm traced = traceFilm(job, start, {watch.stop, nullptr, watch.report}, log);
-  if (traced.failure) throw Error(traced.failure->code, traced.failure->message);
-  if (traced.isFilmLost) throw FileError(arguments.checkpoint.string() + ": the film could not be written");
-  if (!traced.result.interrupted) watch.report(1, traced.result.statistics.samples);
-  const film::WorkReport work = traced.work.value_or(film::workOf(traced.result.statistics));
-  return filmOf(job, scene.files(), std::move(traced.result), std::move(traced.header), work,
-                monotonicSeconds() - start, log);
+  const job::OpenDevice open = openDevice(job.arguments, log);
+  job::JobResult ended = job::runJob(job, open, {.stop = &watch.stop, .report = watch.report, .start = start}, log);
+  if (ended.failure) throw Error(ended.failure->code, ended.failure->message);
+  if (ended.isFilmLost) throw FileError(arguments.film.checkpoint.string() + ": the film could not be written");
+  if (!ended.result.interrupted) watch.report(1, ended.result.statistics.samples);
+  const film::WorkReport work = ended.work.value_or(film::workOf(ended.result.statistics));
+  return filmOf(job, scene.files(), std::move(ended.result), std::move(ended.header), work, monotonicSeconds() - start,
+                log);
 }
 
 Film render(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {

@@ -5,9 +5,10 @@
 
 #include <algorithm>
 
-#include "host/cli/film_identity.h"
 #include "host/core/errors.h"
 #include "host/core/progress.h"
+#include "host/core/setting_words.h"
+#include "host/job/film_identity.h"
 #include "host/python/rendering.h"
 
 namespace candela::python {
@@ -18,7 +19,7 @@ PythonSession::PythonSession(const cli::RenderJob& job, std::vector<std::filesys
       files_(std::move(files)),
       log_(std::move(log)),
       renderer_(makeRenderer(job_.arguments, *log_)),
-      session_(renderer_->prepare(job_.scene, job_.settings)) {}
+      session_(renderer_->prepare(job_.scene(), job_.settings)) {}
 
 render::SampleRange PythonSession::next(std::uint32_t count) const {
   return {done_, done_ + std::min(count, total() - done_)};
@@ -28,8 +29,8 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
   const double start = monotonicSeconds();
   const render::SampleRange wanted = range.value_or(render::SampleRange{done_, total()});
   if (wanted.end > total()) {
-    throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with --spp",
-                                 wanted.first, wanted.end, total()));
+    throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with {}", wanted.first,
+                                 wanted.end, total(), settingWords("spp")));
   }
   if (wanted.first == wanted.end) return true;
   const bool isComplete = session_->advance(wanted, {&watch.stop, watch.report});
@@ -48,7 +49,7 @@ bool PythonSession::advance(const std::optional<render::SampleRange>& range, con
 cli::RenderJob PythonSession::jobSoFar() const {
   cli::RenderJob job = job_;
   const std::uint32_t first = first_.value_or(0);
-  if (first > 0 || wanted_ < total()) job.arguments.samples = render::SampleRange{first, wanted_};
+  if (first > 0 || wanted_ < total()) job.film.samples = render::SampleRange{first, wanted_};
   return job;
 }
 
@@ -57,8 +58,8 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
   render::requireComplete(result.statistics);
   result.interrupted = done_ < wanted_;
   const cli::RenderJob job = jobSoFar();
-  film::FilmHeader header = filmHeaderOf(job, result.statistics);
-  cli::setContent(header, result.film, job.scene, first_.value_or(0));
+  film::FilmHeader header = job::filmHeaderOf(job, result.statistics);
+  job::setContent(header, result.film, job.scene(), first_.value_or(0));
   const film::WorkReport work = film::workOf(result.statistics);
   return filmOf(job, files_, std::move(result), std::move(header), work, seconds_, *log_);
 }

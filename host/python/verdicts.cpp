@@ -66,7 +66,7 @@ std::optional<verify::Conclusion> conclusionOf(const auto& report) {
 
 Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
-  const verify::VerifyReport report = verify::verifyScene(tracers.job.scene, tracers.job.settings, *tracers.device,
+  const verify::VerifyReport report = verify::verifyScene(tracers.job.scene(), tracers.job.settings, *tracers.device,
                                                           *tracers.reference, arguments.verification, tracers.control);
   reportBadSamples(report.badSamples, tracers.job, log);
   nlohmann::ordered_json json = toJson(report);
@@ -89,22 +89,23 @@ Explanation explanationOf(const explain::Explanation& explanation) {
 // The pixel that differs most is found by images of one sample per pixel.
 Explanation explainWorst(Tracers& tracers) {
   verify::PathRenders renders;  // compare() reports bad samples
-  const auto pixels = verify::comparePaths(tracers.job.scene, tracers.job.settings, *tracers.device, *tracers.reference,
-                                           tracers.job.arguments.verification.alpha, tracers.control, renders);
+  const auto pixels = verify::comparePaths(tracers.job.scene(), tracers.job.settings, *tracers.device,
+                                           *tracers.reference, tracers.job.arguments.verification.alpha,
+                                           tracers.control, renders);
   if (!pixels) throw InterruptedError("interrupted before a sample was explained");
   render::requireComplete(renders.deviceStatistics);
-  const auto worst = explain::explainWorst(tracers.job.scene, tracers.job.settings, *pixels, *tracers.device,
+  const auto worst = explain::explainWorst(tracers.job.scene(), tracers.job.settings, *pixels, *tracers.device,
                                            *tracers.reference);
   if (worst) return explanationOf(*worst);
   const std::string text = explain::nothingToExplain(*pixels);
-  return {true, text, text + "\n", jsonText(explain::nothingJson(tracers.job.scene, *pixels))};
+  return {true, text, text + "\n", jsonText(explain::nothingJson(tracers.job.scene(), *pixels))};
 }
 
 Explanation explainScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch,
                          const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
   if (!tracers.job.arguments.pixel) return explainWorst(tracers);
-  return explanationOf(explain::explainSample(tracers.job.scene, tracers.job.settings, sampleAskedFor(tracers.job),
+  return explanationOf(explain::explainSample(tracers.job.scene(), tracers.job.settings, sampleAskedFor(tracers.job),
                                               *tracers.device, *tracers.reference));
 }
 
@@ -118,7 +119,7 @@ Explanation explain(const PythonScene& scene, const py::object& progress, const 
 Comparison compareTracers(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch,
                           const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
-  const verify::AgreementReport report = verify::compareTracers(tracers.job.scene, tracers.job.settings,
+  const verify::AgreementReport report = verify::compareTracers(tracers.job.scene(), tracers.job.settings,
                                                                 *tracers.device, *tracers.reference,
                                                                 arguments.verification, tracers.control);
   render::requireComplete(report.deviceStatistics);

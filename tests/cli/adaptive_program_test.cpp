@@ -60,7 +60,8 @@ TEST_CASE("adaptive: options that exclude it are refused, and the message says w
     return result.err;
   };
   const std::string film = folder.path("a.exr");
-  CHECK_THAT(message({"--checkpoint", film, "--samples", "0:32"}), Contains("--samples") && Contains("--crop"));
+  CHECK_THAT(message({"--checkpoint", film, "--samples", "0:32"}),
+             Contains("a part of them; divide the image with --crop instead"));
   CHECK_THAT(message({"--checkpoint", film, "--crop", "0,0,40,68"}), Contains("multiple of 64 pixels"));
   CHECK_THAT(message({"--checkpoint", film, "--spp", "16"}), Contains("set --spp, the maximum, above 16"));
   CHECK_THAT(message({"--checkpoint", film, "--noise-threshold", "0.004", "--spp", "4096"}), Contains("8192"));

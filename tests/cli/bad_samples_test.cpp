@@ -13,7 +13,7 @@ namespace {
 const render::BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .seed = 9, .sampleCount = 64};
 
 RenderJob jobWith(render::Integrator integrator, render::SamplerKind sampler) {
-  RenderJob job{{}, render::defaultSettings()};
+  RenderJob job{{std::make_shared<scene::Scene>(), {}, render::defaultSettings()}};
   job.arguments.files = {"a scene.p3f"};
   job.arguments.request.sampleCount = 64;
   job.arguments.request.image.integrator = integrator;

@@ -103,7 +103,7 @@ TEST_CASE("a wrong value is named with the words that are allowed, and with a su
   CHECK(message("--tone", "agx") == "unknown option --tone; did you mean --tonemap?");
   const std::string layers = message("--aov", "normal,zdepth");
   CHECK(layers.substr(layers.find(", got ")) == ", got \"zdepth\"; did you mean depth?");
-  CHECK(parse({"a.p3f", "-o", "a.png", "--noise-threshold", "20%"}).noiseThreshold == 0.2);
+  CHECK(parse({"a.p3f", "-o", "a.png", "--noise-threshold", "20%"}).film.noiseThreshold == 0.2);
   CHECK(parse({"a.p3f", "-o", "a.png", "--size", "48X32"}).request.size == render::Extent{48, 32});
 }
 

@@ -123,7 +123,7 @@ TEST_CASE("a duration may have a unit, and prints in seconds") {
   for (const auto& [word, seconds] :
        std::vector<std::pair<std::string, double>>{{"90", 90}, {"90s", 90}, {"1.5min", 90}, {"2h", 7200}, {"0", 0}}) {
     REQUIRE(find("--checkpoint-every").apply(arguments, word));
-    CHECK(arguments.checkpointEvery == seconds);
+    CHECK(arguments.film.checkpointEvery == seconds);
   }
   CHECK(find("--checkpoint-every").show(arguments) == std::vector<std::string>{"0s"});
 }

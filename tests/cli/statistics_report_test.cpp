@@ -10,7 +10,7 @@
 namespace candela::cli {
 namespace {
 
-RenderJob madeJob() { return {{}, render::defaultSettings()}; }
+RenderJob madeJob() { return {{std::make_shared<scene::Scene>(), {}, render::defaultSettings()}}; }
 
 render::RenderResult exampleResult() {
   render::RenderResult result;

@@ -127,7 +127,7 @@ TEST_CASE("a device that fails repeatedly ends a render with a film from which i
   INFO(lost.err);
   CHECK(lost.exitCode == 5);
   CHECK(contains(lost.err, "attempt 3 of 3"));
-  CHECK(contains(lost.err, "--resume " + film + " to continue"));
+  CHECK(contains(lost.err, "with --resume " + film + " continues it"));
   const ProgramResult memory = render.run({"--checkpoint", film, "--resume", film},
                                           fault("vkQueueSubmit", 9, "OUT_OF_DEVICE_MEMORY", kEveryFrom));
   CHECK(memory.exitCode == 6);

@@ -3,6 +3,7 @@ import ctypes
 import logging
 import os
 import pathlib
+import re
 import unittest
 import warnings
 
@@ -17,9 +18,14 @@ def text_of(done):
     return "\n".join(line.removeprefix("candela: ") for line in done.stderr.splitlines())
 
 
+def with_keywords(text):
+    """A message with the names of keywords instead of those of options."""
+    return re.sub(r"--([a-z][a-z-]*)", lambda option: option[1].replace("-", "_"), text)
+
+
 class Errors(FolderTest):
     def check(self, error, done):
-        self.assertEqual(str(error), text_of(done))
+        self.assertEqual(with_keywords(str(error)), with_keywords(text_of(done)))
         self.assertEqual(error.exit_code, done.returncode)
 
     def test_options(self):

@@ -7,14 +7,14 @@
 
 #include "host/core/progress.h"
 
-namespace candela::cli {
+namespace candela::job {
 
 /// A thread looks at flags and the clock, so that renders need only poll a flag.
 class RenderWatch {
  public:
   /// `deadline` is a time of monotonicSeconds(), or infinity. `interrupted` ends the render while it is true;
-  /// `writeRequested`, which may be null, has the film written and is reset. Both must outlive the object.
-  RenderWatch(double deadline, const std::atomic<bool>& interrupted, std::atomic<bool>* writeRequested);
+  /// `writeRequested` has the film written and is reset. Both may be null, and must outlive the object.
+  RenderWatch(double deadline, const std::atomic<bool>* interrupted, std::atomic<bool>* writeRequested);
 
   /// Becomes true when there is something to do.
   const std::atomic<bool>& stop() const { return stop_; }
@@ -31,12 +31,12 @@ class RenderWatch {
   bool mustWrite() const;
 
  private:
-  bool isInterrupted() const { return interrupted_.load(std::memory_order_relaxed); }
+  bool isInterrupted() const { return interrupted_ != nullptr && interrupted_->load(std::memory_order_relaxed); }
   void run(const std::stop_token& ended);
   void look();
   bool isWriteDue() const;
 
-  const std::atomic<bool>& interrupted_;
+  const std::atomic<bool>* interrupted_;
   std::atomic<bool>* writeRequested_;
   double deadline_;
   mutable std::mutex mutex_;  ///< of what follows, so that no look at the clock is older than resume()
@@ -46,4 +46,4 @@ class RenderWatch {
   std::jthread thread_;  ///< last, so that it ends first
 };
 
-}  // namespace candela::cli
+}  // namespace candela::job

@@ -1,15 +1,48 @@
 // Advances a session to the end of its samples.
 #pragma once
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <utility>
 
-#include "host/cli/film_progress.h"
-#include "host/cli/render_watch.h"
+#include "host/job/render_watch.h"
 #include "host/render/adaptive_plan.h"
 #include "host/render/session.h"
 
-namespace candela::cli {
+namespace candela::job {
+
+/// Reports the fraction of a range of samples that is done over all calls of Session::advance(), including samples of
+/// earlier runs.
+class FilmProgress {
+ public:
+  /// `report` gets the fraction and the number of samples that this process has traced.
+  using Report = std::function<void(double fraction, std::uint64_t samples)>;
+
+  /// `size` is that of the film.
+  FilmProgress(const render::Extent& size, const render::SampleRange& range, std::uint64_t samplesBefore, Report report)
+      : report_(std::move(report)),
+        total_(static_cast<double>(size.width) * size.height * (range.end - range.first)),
+        before_(samplesBefore) {}
+
+  void update(std::uint64_t samplesDone) {
+    current_ = samplesDone;
+    const double done = static_cast<double>(before_ + earlier_ + current_ + skipped_);
+    report_(std::min(1.0, done / total_), earlier_ + current_);
+  }
+  /// Sets the number of samples that will not be traced.
+  void skip(std::uint64_t samples) { skipped_ = samples; }
+  void endOfCall() {
+    earlier_ += current_;
+    current_ = 0;
+  }
+
+ private:
+  Report report_;
+  double total_;
+  std::uint64_t before_;
+  std::uint64_t earlier_ = 0, current_ = 0, skipped_ = 0;
+};
 
 /// The loop around one session, which stops where the watch says so.
 class SampleLoop {
@@ -37,4 +70,4 @@ class SampleLoop {
   std::optional<image::Film> decided_;
 };
 
-}  // namespace candela::cli
+}  // namespace candela::job

@@ -1,15 +1,15 @@
 // Writes films, and measures the time that this takes.
-#include "host/cli/checkpoints.h"
+#include "host/job/checkpoints.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "host/cli/film_identity.h"
 #include "host/core/errors.h"
 #include "host/core/progress.h"
+#include "host/job/film_identity.h"
 
-namespace candela::cli {
+namespace candela::job {
 
 Checkpoints::Checkpoints(const scene::Scene& scene, std::filesystem::path file, double every, film::FilmHeader header,
                          std::uint32_t firstSample, film::WorkReport before, const Log& log)
@@ -55,4 +55,4 @@ bool Checkpoints::write(const image::Film& film, const render::RenderStatistics&
   return written;
 }
 
-}  // namespace candela::cli
+}  // namespace candela::job

@@ -1,14 +1,15 @@
 // Renders that need more memory than is available.
-#include "host/cli/memory_check.h"
+#include "host/job/memory_need.h"
 
 #include <catch2/catch.hpp>
 
 #include "host/core/errors.h"
 #include "host/core/memory_budget.h"
+#include "host/image/film.h"
 #include "host/scene/memory.h"
 #include "host/scene/scene_builder.h"
 
-namespace candela::cli {
+namespace candela::job {
 namespace {
 
 /// A mesh of `count` triangles that share their vertices.
@@ -24,11 +25,11 @@ scene::Scene heavyScene(std::size_t count) {
 
 /// Returns the message that refuses a render of one pixel under a budget.
 std::string refusalOf(const scene::Scene& scene, std::uint64_t budget) {
-  Arguments arguments;
-  arguments.request.image.size = {1, 1};
+  render::ImageSettings image;
+  image.size = {1, 1};
   limitMemory(budget);
   try {
-    requireMemoryForRender(scene, arguments);
+    requireMemoryForRender(scene, image, false);
     limitMemory(0);
     return "";
   } catch (const OutOfMemoryError& error) {
@@ -52,4 +53,4 @@ TEST_CASE("a scene is refused if building its structure exceeds the memory, alth
   CHECK(refusal.ends_with("render fewer primitives"));
 }
 
-}  // namespace candela::cli
+}  // namespace candela::job

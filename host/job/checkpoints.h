@@ -1,4 +1,4 @@
-// Writes the film of a render to its film file, as often as --checkpoint-every and its cost permit.
+// Writes the film of a render to its film file, as often as its interval and its cost permit.
 #pragma once
 #include <filesystem>
 
@@ -8,7 +8,7 @@
 #include "host/render/session.h"
 #include "host/scene/scene.h"
 
-namespace candela::cli {
+namespace candela::job {
 
 class Checkpoints {
  public:
@@ -47,4 +47,4 @@ class Checkpoints {
   const Log& log_;
 };
 
-}  // namespace candela::cli
+}  // namespace candela::job

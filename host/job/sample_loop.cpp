@@ -1,7 +1,7 @@
 // Advances a session by the steps that the plan of adaptive sampling returns.
-#include "host/cli/sample_loop.h"
+#include "host/job/sample_loop.h"
 
-namespace candela::cli {
+namespace candela::job {
 namespace {
 
 // Number of samples that pixels outside of the mask lack.
@@ -44,4 +44,4 @@ bool SampleLoop::traceAdaptively(const render::AdaptivePlan& plan, std::uint32_t
   return true;
 }
 
-}  // namespace candela::cli
+}  // namespace candela::job

@@ -1,12 +1,14 @@
 // Predicts memory by counts of primitives and pixels.
-#include "host/cli/memory_check.h"
+#include "host/job/memory_need.h"
 
 #include <fmt/format.h>
 
 #include "host/core/memory_budget.h"
+#include "host/core/setting_words.h"
+#include "host/image/film.h"
 #include "host/scene/memory.h"
 
-namespace candela::cli {
+namespace candela::job {
 namespace {
 
 // Peak memory for each primitive besides the scene: building the acceleration structure, and the device's records.
@@ -17,29 +19,33 @@ constexpr std::uint64_t kPictureBytesPerPixel = 2 * (sizeof(glm::vec3) + 3 * siz
 
 bool isMostlyPixels(const MemoryNeed& need) { return need.pixels() > need.scene + need.structure; }
 
+std::string remedyFor(const MemoryNeed& need) {
+  if (!isMostlyPixels(need)) return "render fewer primitives";
+  return fmt::format("render a smaller image ({}), or windows of it ({}), whose films `candela merge` adds",
+                     settingWords("size"), settingWords("crop"));
+}
+
 }  // namespace
 
-MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments) {
-  const render::Window window = arguments.request.image.window();
+MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures) {
+  const render::Window window = image.window();
   const std::uint64_t pixels = std::uint64_t{window.width} * window.height;
   MemoryNeed need;
   need.scene = scene::memoryOf(scene).total;
   need.structure = scene.primitives.size() * kBuildBytesPerPrimitive;
-  const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(arguments.request.image.layers));
+  const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(image.layers));
   need.film = pixels * (sizeof(image::FilmPixel) + layerRows * sizeof(image::LayerRow));
   const std::uint64_t layerBytes = 2 * layerRows * sizeof(float);
-  if (!arguments.outputs.empty()) need.pictures = pixels * (kPictureBytesPerPixel + layerBytes);
+  if (makesPictures) need.pictures = pixels * (kPictureBytesPerPixel + layerBytes);
   return need;
 }
 
-void requireMemoryForRender(const scene::Scene& scene, const Arguments& arguments) {
-  const MemoryNeed need = memoryNeedOf(scene, arguments);
-  const render::Extent size = arguments.request.image.window().extent();
+void requireMemoryForRender(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures) {
+  const MemoryNeed need = memoryNeedOf(scene, image, makesPictures);
+  const render::Extent size = image.window().extent();
   requireMemory(fmt::format("{}: rendering {} primitives to {}x{} pixels", scene.name, scene.primitives.size(),
                             size.width, size.height),
-                need.total(),
-                isMostlyPixels(need) ? "render a smaller --size, or windows with --crop, which `candela merge` adds"
-                                     : "render fewer primitives");
+                need.total(), remedyFor(need));
 }
 
-}  // namespace candela::cli
+}  // namespace candela::job

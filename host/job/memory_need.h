@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "host/cli/arguments.h"
+#include "host/render/settings.h"
 #include "host/scene/scene.h"
 
-namespace candela::cli {
+namespace candela::job {
 
 /// Host memory in bytes at the peak of a render.
 struct MemoryNeed {
@@ -18,10 +18,9 @@ struct MemoryNeed {
   std::uint64_t total() const { return scene + structure + pixels(); }
 };
 
-/// `arguments` are resolved (see resolveRequests).
-MemoryNeed memoryNeedOf(const scene::Scene& scene, const Arguments& arguments);
+MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures);
 
 /// Throws OutOfMemoryError, with the sizes and a remedy, if that exceeds the memory budget.
-void requireMemoryForRender(const scene::Scene& scene, const Arguments& arguments);
+void requireMemoryForRender(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures);
 
-}  // namespace candela::cli
+}  // namespace candela::job

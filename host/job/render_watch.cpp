@@ -1,11 +1,11 @@
 // Polls every few milliseconds, which costs nothing that can be measured.
-#include "host/cli/render_watch.h"
+#include "host/job/render_watch.h"
 
 #include <chrono>
 
-namespace candela::cli {
+namespace candela::job {
 
-RenderWatch::RenderWatch(double deadline, const std::atomic<bool>& interrupted, std::atomic<bool>* writeRequested)
+RenderWatch::RenderWatch(double deadline, const std::atomic<bool>* interrupted, std::atomic<bool>* writeRequested)
     : interrupted_(interrupted),
       writeRequested_(writeRequested),
       deadline_(deadline),
@@ -50,4 +50,4 @@ void RenderWatch::run(const std::stop_token& ended) {
   }
 }
 
-}  // namespace candela::cli
+}  // namespace candela::job
