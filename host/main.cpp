@@ -10,11 +10,9 @@
 #include "host/cli/command_line.h"
 #include "host/cli/commands.h"
 #include "host/cli/help.h"
-#include "host/cli/option_table.h"
 #include "host/cli/separate_files.h"
 #include "host/core/log.h"
 #include "host/core/memory_budget.h"
-#include "host/core/setting_words.h"
 #include "host/core/standard_output.h"
 #include "host/core/version.h"
 #include "host/vulkan/unfinished_work.h"
@@ -77,7 +75,6 @@ ExitCode run(const std::vector<std::string>& words) {
 }  // namespace candela
 
 int main(int argc, char** argv) {
-  candela::setSettingWords(&candela::cli::optionWords);
   // A file beyond `ulimit -f` and a pipe that nobody reads are errors of write() like a full disk.
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);

@@ -57,7 +57,7 @@ std::string headline(const ReportComparison& comparison) {
   const std::string hint = undecided == 0 ? ""
                                           : fmt::format(
                                                 "; {} undecided, since the change is within the spread of the "
-                                                "runs: measure both reports with a larger --repeat",
+                                                "runs: measure both reports with more repetitions",
                                                 undecided);
   return fmt::format("{}\n{} of {} rows slower by more than {:.3g} %, or missing{}", devices, regressions,
                      comparison.rows.size(), 100 * comparison.threshold, hint);

@@ -66,7 +66,7 @@ Capture captureScene(const scene::Scene& scene, const SceneParts& parts, const S
   if (capture.expected.empty()) {
     throw UsageError(
         fmt::format("{}: single precision cannot decide this sample: choose another one, or a device whose "
-                    "bits are expected (--expect)",
+                    "bits are expected",
                     titleOf(scene, request.sample)));
   }
   capture.title = titleOf(scene, request.sample);

@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <sstream>
 
-#include "host/cli/argument_checks.h"
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
 #include "host/cli/option_groups.h"
 #include "host/cli/option_table.h"
+#include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::cli {
 namespace {
@@ -23,10 +24,10 @@ namespace {
     if (option.isFor(command)) {
       known.push_back(option.name());
     } else if (option.name() == name) {
-      refuse(command, fmt::format("{} is not an option of candela {}", name, commandInfo(command).name));
+      throw UsageError(fmt::format("{} is not an option of candela {}", name, commandInfo(command).name));
     }
   }
-  refuse(command, fmt::format("unknown option {}{}", name, didYouMean(name, known)));
+  throw UsageError(fmt::format("unknown option {}{}", name, didYouMean(name, known)));
 }
 
 // Returns the first word of a list that is none of the words of the option, with a suggestion; for other options, the
@@ -38,16 +39,6 @@ std::string wrongPart(const Option& option, const std::string& value) {
     return fmt::format("\"{}\"{}", part, didYouMean(part, option.words));
   }
   return fmt::format("\"{}\"", value);
-}
-
-void apply(const Option& option, const std::vector<std::string>& values, Arguments& arguments) {
-  for (const std::string& value : values) {
-    if (!option.apply(arguments, value)) {
-      refuse(arguments.command,
-             fmt::format("{}: expected {}, got {}", option.name(), option.expected, wrongPart(option, value)));
-    }
-  }
-  if (!values.empty()) arguments.given.insert(option.name());
 }
 
 // For several values, `apply` decides whether the last one or all of them are used.
@@ -84,6 +75,14 @@ std::vector<std::string> withJoinedFlags(std::span<const std::string> words) {
 
 }  // namespace
 
+void setOption(const Option& option, const std::string& value, Arguments& arguments) {
+  if (!option.apply(arguments, value)) {
+    throw UsageError(fmt::format("{}: expected {}, got {}", settingWords(option.name().substr(2)), option.expected,
+                                 wrongPart(option, value)));
+  }
+  arguments.given.insert(option.name());
+}
+
 void applyOptions(std::span<const std::string> words, Arguments& arguments) {
   CLI::App app;
   app.set_help_flag();
@@ -99,14 +98,16 @@ void applyOptions(std::span<const std::string> words, Arguments& arguments) {
     app.parse(reversed);
   } catch (const CLI::ArgumentMismatch& error) {
     const std::string message = error.what();  // "--spp: 1 required ..."
-    refuse(arguments.command, message.substr(0, message.find(':')) + " needs a value");
+    throw UsageError(message.substr(0, message.find(':')) + " needs a value");
   } catch (const CLI::ParseError& error) {
-    refuse(arguments.command, error.what());
+    throw UsageError(error.what());
   }
   for (const std::string& extra : app.remaining()) {
     if (extra != "--") refuseUnknownOption(arguments.command, extra);
   }
-  for (const auto& [option, parsed] : declared) apply(*option, parsed->results(), arguments);
+  for (const auto& [option, parsed] : declared) {
+    for (const std::string& value : parsed->results()) setOption(*option, value, arguments);
+  }
 }
 
 }  // namespace candela::cli

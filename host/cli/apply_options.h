@@ -3,11 +3,15 @@
 #include <span>
 #include <string>
 
-#include "host/cli/arguments.h"
+#include "host/cli/option_table.h"
 
 namespace candela::cli {
+
+/// Sets an option, in the notation of Option::show(); a flag is "true". Throws UsageError with the expected value.
+void setOption(const Option& option, const std::string& value, Arguments& arguments);
+
 /// Sets the options and files of `arguments`, whose command is known. Values are checked, combinations are not. Throws
-/// UsageError with the expected value, a suggestion and a reference to the help.
+/// UsageError with the expected value and a suggestion.
 void applyOptions(std::span<const std::string> words, Arguments& arguments);
 
 }  // namespace candela::cli

@@ -9,6 +9,7 @@
 #include "host/cli/file_kinds.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::cli {
 namespace {
@@ -16,9 +17,9 @@ namespace {
 void requireFileCount(const Arguments& arguments) {
   const CommandInfo& info = commandInfo(arguments.command);
   const std::size_t count = arguments.files.size();
-  if (count < info.minFileCount) refuse(info.command, fmt::format("no {} given", info.fileNoun));
+  if (count < info.minFileCount) throw UsageError(fmt::format("no {} given", info.fileNoun));
   if (count > info.maxFileCount)
-    refuse(info.command, fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
+    throw UsageError(fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
 }
 
 // Options for tracing do not affect the comparison of two images. They are refused, since ignoring them would hide a
@@ -29,7 +30,7 @@ void refuseTracingOptionsForImages(const Arguments& arguments) {
     const bool tracing = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile ||
                          option.group == OptionGroup::execution;
     if (tracing && arguments.given.contains(option.name())) {
-      refuse(Command::compare, fmt::format("{} is for comparing one scene, not two images", option.name()));
+      throw UsageError(fmt::format("{} is for comparing one scene, not two images", option.name()));
     }
   }
 }
@@ -39,7 +40,7 @@ void refuseImageOptionsForScene(const Arguments& arguments) {
   for (const Option& option : optionTable()) {
     const bool imaging = option.group == OptionGroup::comparison || option.group == OptionGroup::output;
     if (imaging && arguments.given.contains(option.name())) {
-      refuse(Command::compare, fmt::format("{} is for comparing two images, not one scene", option.name()));
+      throw UsageError(fmt::format("{} is for comparing two images, not one scene", option.name()));
     }
   }
 }
@@ -48,22 +49,21 @@ void requireOutput(const Arguments& arguments) {
   if (arguments.command != Command::render) return;
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
   if (!arguments.film.checkpoint.empty() || arguments.displayServer) return;
-  refuse(
-      Command::render,
+  throw UsageError(
       "no output given: write the image with -o FILE or the film with --checkpoint FILE, or only measure with --stats "
       "or --json FILE");
 }
 
 // An option that only completes another one.
-void requireTogether(const Arguments& arguments, const char* option, const char* other) {
-  if (!arguments.given.contains(option) || arguments.given.contains(other)) return;
-  refuse(arguments.command, fmt::format("{} has no effect without {}", option, other));
+void requireTogether(const Arguments& arguments, const std::string& option, const std::string& other) {
+  if (!arguments.given.contains("--" + option) || arguments.given.contains("--" + other)) return;
+  throw UsageError(fmt::format("{} has no effect without {}", settingWords(option), settingWords(other)));
 }
 
 void requireCompleteOptions(const Arguments& arguments) {
-  requireTogether(arguments, "--checkpoint-every", "--checkpoint");
-  requireTogether(arguments, "--resume-anyway", "--resume");
-  requireTogether(arguments, "--animation", "--time");
+  requireTogether(arguments, "checkpoint-every", "checkpoint");
+  requireTogether(arguments, "resume-anyway", "resume");
+  requireTogether(arguments, "animation", "time");
 }
 
 void requireFormats(const Arguments& arguments) {
@@ -76,15 +76,16 @@ void requireFormats(const Arguments& arguments) {
 
 void requireMergedFilm(const Arguments& arguments) {
   if (arguments.command == Command::merge && arguments.mergedFilm.empty()) {
-    refuse(Command::merge, "no output given: name the merged film with -o FILE");
+    throw UsageError("no output given: name the merged film with -o FILE");
   }
 }
 
 void requireTreeDepth(const Arguments& arguments) {
   const bool tooDeep = arguments.request.maxDepth && *arguments.request.maxDepth > render::kMaxTreeDepth;
   if (arguments.request.image.integrator != render::Integrator::whitted || !tooDeep) return;
-  refuse(arguments.command, fmt::format("--max-depth {}: the maximum with --integrator whitted is {}",
-                                        *arguments.request.maxDepth, render::kMaxTreeDepth));
+  throw UsageError(fmt::format("{}: the maximum of Whitted ray tracing is {}",
+                               settingWords("max-depth", fmt::to_string(*arguments.request.maxDepth)),
+                               render::kMaxTreeDepth));
 }
 
 void requireOneReaderOfStdout(const Arguments& arguments) {
@@ -95,16 +96,12 @@ void requireOneReaderOfStdout(const Arguments& arguments) {
   const char* first = nullptr;
   for (const auto& [option, writes] : writers) {
     if (!writes) continue;
-    if (first != nullptr) refuse(arguments.command, fmt::format("{} and {} both write to stdout", first, option));
+    if (first != nullptr) throw UsageError(fmt::format("{} and {} both write to stdout", first, option));
     first = option;
   }
 }
 
 }  // namespace
-
-void refuse(Command command, const std::string& message) {
-  throw UsageError(fmt::format("{}\nsee candela {} --help", message, commandInfo(command).name));
-}
 
 void checkOptions(const Arguments& arguments) {
   requireCompleteOptions(arguments);

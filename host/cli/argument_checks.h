@@ -1,13 +1,8 @@
 // Checks of arguments after they are parsed: numbers of files, and options that contradict each other or need others.
 #pragma once
-#include <string>
-
 #include "host/cli/arguments.h"
 
 namespace candela::cli {
-
-/// Throws UsageError with a message that refers to the help of the command.
-[[noreturn]] void refuse(Command command, const std::string& message);
 
 /// Both throw UsageError. checkOptions() checks what also applies to arguments without files and outputs.
 void checkArguments(const Arguments& arguments);

@@ -11,6 +11,7 @@
 #include "host/cli/did_you_mean.h"
 #include "host/cli/option_groups.h"
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::cli {
 namespace {
@@ -66,23 +67,20 @@ void nameStdin(Arguments& arguments) {
 
 }  // namespace
 
-Arguments parseOptions(Command command, std::span<const std::string> words) {
-  Arguments arguments;
-  arguments.command = command;
-  applyOptions(words, arguments);
-  checkOptions(arguments);
-  return arguments;
-}
-
 Arguments parseCommandLine(std::span<const std::string> words) {
+  setSettingWords(&optionWords);
   if (words.empty()) throw UsageError("no scene given\nsee candela --help");
   if (asksForHelp(words)) return helpFor(words.subspan(1));
   Arguments arguments;
   takeCommand(words, arguments);
-  applyOptions(words, arguments);
-  if (arguments.help || arguments.version) return arguments;
-  nameStdin(arguments);
-  checkArguments(arguments);
+  try {
+    applyOptions(words, arguments);
+    if (arguments.help || arguments.version) return arguments;
+    nameStdin(arguments);
+    checkArguments(arguments);
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}\nsee candela {} --help", error.what(), commandInfo(arguments.command).name));
+  }
   return arguments;
 }
 

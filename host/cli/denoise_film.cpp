@@ -6,6 +6,7 @@
 #include "host/cli/bias_text.h"
 #include "host/cli/cached_device.h"
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/denoise/denoise.h"
 #include "host/denoise/device_filter.h"
 #include "host/denoise/oidn.h"
@@ -69,12 +70,14 @@ void denoisePicture(image::Image& image, const image::Film& film, const Argument
 void requireDenoisable(const Arguments& arguments) {
   if (arguments.denoisesByOidn) denoise::requireOidn();
   if (!arguments.denoise || arguments.request.image.integrator == render::Integrator::path) return;
-  throw UsageError("--denoise: only the path tracer has the statistics that it needs; use --integrator path");
+  throw UsageError(fmt::format("only the path tracer has the statistics that denoising needs; use {}",
+                               settingWords("integrator", "path")));
 }
 
 void requireDenoisable(const RenderJob& job) {
   if (!job.arguments.denoise || job.settings.image.sampleCount >= 2) return;
-  throw UsageError("--denoise needs at least two samples per pixel; use --spp 2 or more");
+  throw UsageError(
+      fmt::format("denoising needs at least two samples per pixel; use {} or more", settingWords("spp", "2")));
 }
 
 Arguments withDenoiseLayers(Arguments arguments) {
@@ -92,7 +95,7 @@ void denoiseResult(image::Image& image, const image::Film& film, bool isInterrup
     denoisePicture(image, film, arguments, true, log);
   } catch (const UsageError& error) {
     if (!isInterrupted) throw;
-    log.warning(fmt::format("--denoise: {}", error.what()));
+    log.warning(fmt::format("the image is not denoised: {}", error.what()));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "host/cli/option_table.h"
 #include "host/core/atomic_file.h"
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/film/work_report.h"
 #include "host/image/image.h"
 
@@ -30,9 +31,8 @@ void requireRegular(const std::filesystem::path& file) {
 void requireAbsent(const std::filesystem::path& film) {
   std::error_code ignored;
   if (!std::filesystem::exists(film, ignored)) return;
-  throw FileError(
-      fmt::format("{}: the file exists, and its samples would be lost; continue it with --resume {}, or remove it",
-                  film.string(), shellQuoted(film.string())));
+  throw FileError(fmt::format("{}: the file exists, and its samples would be lost; continue it with {}, or remove it",
+                              film.string(), settingWords("resume", film.string())));
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ void requireLayerFile(const Arguments& arguments) {
   if (arguments.request.image.layers.isEmpty()) return;
   if (!arguments.film.checkpoint.empty() || arguments.displayServer) return;
   if (std::ranges::any_of(arguments.outputs, image::isExr)) return;
-  throw UsageError("--aov: layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE");
+  throw UsageError("layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE");
 }
 
 void requireWritableReport(const std::string& target) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/explain/explanation.h"
 
 namespace candela::cli {
@@ -17,7 +18,7 @@ void requireTwoTracers(const Arguments& arguments) {
 
 void requireVulkanDevice(const Arguments& arguments, const char* reason) {
   if (!arguments.usesReference()) return;
-  throw UsageError(fmt::format("--device cpu: {}; choose a Vulkan device (see candela devices)", reason));
+  throw UsageError(fmt::format("{}; choose a Vulkan device (see candela devices)", reason));
 }
 
 void requireVerifiable(const Arguments& arguments) {
@@ -28,16 +29,17 @@ void requireComparable(const Arguments& arguments) {
   requireTwoTracers(arguments);
   if (arguments.request.image.integrator == render::Integrator::cost) {
     throw UsageError(
-        "--integrator cost: the two tracers have different acceleration structures, so their counts cannot be "
-        "compared; use `candela render` to see the counts of one");
+        "the integrator `cost` counts steps through acceleration structures, which the two tracers build differently, "
+        "so "
+        "that their counts cannot be compared; a render shows the counts of one");
   }
 }
 
 void requireExplainable(const Arguments& arguments) {
   requireTwoTracers(arguments);
   if (!arguments.pixel && arguments.given.contains("--sample")) {
-    throw UsageError(
-        "--sample needs --pixel X,Y; without --pixel, sample 0 of the pixel that differs most is explained");
+    throw UsageError(fmt::format("{0} needs {1}; without {1}, sample 0 of the pixel that differs most is explained",
+                                 settingWords("sample"), settingWords("pixel")));
   }
   explain::requirePaths(arguments.request.image.integrator);
 }
@@ -46,13 +48,14 @@ render::PixelSample sampleAskedFor(const RenderJob& job) {
   const auto [x, y] = *job.arguments.pixel;
   const auto [width, height] = job.settings.image.size;
   if (x >= width || y >= height) {
-    throw UsageError(fmt::format("--pixel {},{}: outside the image of {}x{} pixels (0,0 to {},{})", x, y, width, height,
-                                 width - 1, height - 1));
+    throw UsageError(fmt::format("the pixel {},{} is outside the image of {}x{} pixels (0,0 to {},{})", x, y, width,
+                                 height, width - 1, height - 1));
   }
   if (job.arguments.sample >= job.settings.image.sampleCount) {
-    throw UsageError(fmt::format("--sample {}: a pixel has {} samples (0 to {}); use --spp {} or more",
+    throw UsageError(fmt::format("sample {} does not exist: a pixel has {} samples (0 to {}); use {} or more",
                                  job.arguments.sample, job.settings.image.sampleCount,
-                                 job.settings.image.sampleCount - 1, job.arguments.sample + 1));
+                                 job.settings.image.sampleCount - 1,
+                                 settingWords("spp", fmt::to_string(job.arguments.sample + 1))));
   }
   return {x, y, job.arguments.sample};
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/film/work_report.h"
 #include "host/image/image.h"
 
@@ -55,7 +56,7 @@ std::vector<Output> outputsOf(const Arguments& arguments) {
   const bool writesScene = arguments.command == Command::generate || arguments.command == Command::boxes;
   if (writesScene) outputs.push_back({arguments.generatedFile, "-o"});
   for (const fs::path& image : arguments.outputs) outputs.push_back({image, "-o"});
-  addFilm(arguments.film.checkpoint, "--checkpoint", outputs);
+  addFilm(arguments.film.checkpoint, settingWords("checkpoint"), outputs);
   addFilm(arguments.mergedFilm, "-o", outputs);
   return outputs;
 }

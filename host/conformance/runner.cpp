@@ -40,7 +40,7 @@ class Runner {
     std::vector<const Case*> chosen;
     for (const Case& one : cases) {
       if (options_.expectations.skips.match(one.name)) {
-        record({one.name, {Status::skip}, "the case is listed in --skips"});
+        record({one.name, {Status::skip}, "the case is listed as one to skip"});
       } else {
         chosen.push_back(&one);
       }
@@ -140,7 +140,7 @@ class Runner {
     if (batch.isSecondAttempt) return settleSecond(std::move(found));
     if (verdict.isExpected()) return record(std::move(found));
     if (options_.expectations.flakes.match(one.name))
-      return recordFlake(std::move(found), "the case is listed in --flakes");
+      return recordFlake(std::move(found), "the case is listed as a flake");
     first_[one.name] = std::move(found);
     retries_.push_back({{&one}, true});
   }

@@ -8,6 +8,7 @@
 
 #include "host/core/errors.h"
 #include "host/core/memory_limit.h"
+#include "host/core/setting_words.h"
 
 namespace candela {
 namespace {
@@ -26,8 +27,8 @@ std::uint64_t defaultBudget() {
   return bytes;
 }
 
-const char* originOfBudget() {
-  if (limit > 0) return "--memory allows";
+std::string originOfBudget() {
+  if (limit > 0) return settingWords("memory") + " allows";
   return defaultBudget() < physicalMemory() ? "the control group of this process allows" : "this machine has";
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kLibrary = "libOpenImageDenoise.so.2";
 constexpr const char* kRemedy =
-    "unpack a release of https://github.com/RenderKit/oidn and add its folder `lib` to LD_LIBRARY_PATH, or use "
-    "--denoise without a value";
+    "unpack a release of https://github.com/RenderKit/oidn and add its folder `lib` to LD_LIBRARY_PATH, or denoise by "
+    "the statistics of pixels";
 
 void* symbolOf(void* library, const char* name) {
   void* const symbol = ::dlsym(library, name);
@@ -26,7 +26,7 @@ void* openLibrary() {
   void* const library = ::dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* const reason = ::dlerror();
-    throw NoDeviceError(fmt::format("--denoise oidn needs the library Open Image Denoise: {}; {}",
+    throw NoDeviceError(fmt::format("the library Open Image Denoise cannot be loaded: {}; {}",
                                     reason != nullptr ? reason : kLibrary, kRemedy));
   }
   return library;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::denoise {
 namespace {
@@ -74,11 +75,13 @@ void requireStatistics(const image::Film& film) {
   moments.add(image::Layer::moments);
   const std::uint32_t needed = image::layerSumsOf(moments);
   if ((image::layerSumsOf(film.layers()) & needed) != needed) {
-    throw UsageError("the film lacks the sums that denoising needs; render it again with --aov moments or --denoise");
+    throw UsageError(fmt::format("the film lacks the sums that denoising needs; render it again with {} or {}",
+                                 settingWords("aov", "moments"), settingWords("denoise")));
   }
   const auto hasTwo = [](const image::FilmPixel& pixel) { return pixel.sampleCount >= 2; };
   if (std::ranges::none_of(film.pixels(), hasTwo)) {
-    throw UsageError("denoising needs at least two samples per pixel; add samples with --spp 2 or more");
+    throw UsageError(fmt::format("denoising needs at least two samples per pixel; add samples with {} or more",
+                                 settingWords("spp", "2")));
   }
 }
 

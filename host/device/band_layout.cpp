@@ -53,8 +53,10 @@ std::uint32_t bandHeight(const vulkan::DeviceInfo& info, const Kernel& kernel, c
   const std::uint64_t header = recordOffset(kernel, 0);
   const std::uint64_t rows = allowedBytes <= header ? 0 : (allowedBytes - header) / rowBytes;
   if (rows == 0) {
-    throw FileError(fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: use --size",
-                                settings.image.window().width, rowBytes >> 10, info.name, allowedBytes >> 10));
+    throw FileError(
+        fmt::format("an image {} pixels wide needs {} KiB a row, but {} binds at most {} KiB: make it "
+                    "narrower",
+                    settings.image.window().width, rowBytes >> 10, info.name, allowedBytes >> 10));
   }
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(rows, settings.image.window().height));
 }

@@ -7,6 +7,7 @@
 
 #include "host/core/errors.h"
 #include "host/core/memory_budget.h"
+#include "host/core/setting_words.h"
 #include "host/device/gpu_session.h"
 #include "host/image/film.h"
 #include "host/scene/memory.h"
@@ -47,10 +48,11 @@ void requireDeviceMemory(const vulkan::DeviceInfo& info, std::uint64_t hostBytes
                                   ? fmt::format(", since the driver, the scene and the films take {} of {} MiB",
                                                 hostBytes >> 20, memoryBudget() >> 20)
                                   : "";
-  throw DeviceLimitError(fmt::format(
-      "the scene needs {} MiB and a row of the image {} MiB on {}, which may use {} MiB{}: try --layout cwbvh, "
-      "a smaller --size, another --device, or --device cpu",
-      sceneBytes >> 20, (rowBytes >> 20) + 1, info.name, usable >> 20, besides));
+  throw DeviceLimitError(
+      fmt::format("the scene needs {} MiB and a row of the image {} MiB on {}, which may use {} MiB{}: try {}, a "
+                  "smaller image ({}), another device, or the reference tracer ({})",
+                  sceneBytes >> 20, (rowBytes >> 20) + 1, info.name, usable >> 20, besides,
+                  settingWords("layout", "cwbvh"), settingWords("size"), settingWords("device", "cpu")));
 }
 
 }  // namespace candela::device

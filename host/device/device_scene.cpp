@@ -7,6 +7,7 @@
 #include <span>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::device {
 namespace {
@@ -23,14 +24,14 @@ bool fitsStorage(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat)
 
 [[noreturn]] void refuse(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, render::SceneLoads asked) {
   if (asked == render::SceneLoads::texel) {
-    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use --loads storage",
-                                flat.rows.size(), info.name, info.maxTexelBufferElements));
+    throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use {}", flat.rows.size(),
+                                info.name, info.maxTexelBufferElements, settingWords("loads", "storage")));
   }
   const bool grid = flat.structure == gpu::kStructureGrid;
-  const char* const smaller = grid ? "make it smaller, or lower --grid-density" : "make it smaller";
+  const std::string smaller = grid ? "make it smaller, or lower " + settingWords("grid-density") : "make it smaller";
   throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: {}",
                               flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20,
-                              fitsTexels(info, flat) ? "use --loads texel" : smaller));
+                              fitsTexels(info, flat) ? "use " + settingWords("loads", "texel") : smaller));
 }
 
 vulkan::Buffer makeRows(vulkan::Device& device, const flatten::FlatScene& flat, bool real, vulkan::Usage usage) {

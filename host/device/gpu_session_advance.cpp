@@ -5,6 +5,7 @@
 #include <span>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/core/stopwatch.h"
 #include "host/device/gpu_session.h"
 
@@ -32,8 +33,9 @@ void GpuSession::makeBand() {
   if (now.systemBytes == before.systemBytes) return;
   statistics_.warnings.push_back(fmt::format(
       "the memory of {} is full, so that {} MiB are in system memory, which is slower: close other programs "
-      "that use the device, or render a smaller --size or --crop",
-      context_->device.info().name, (now.systemBytes - before.systemBytes) >> 20));
+      "that use the device, or render a smaller image or a part of it ({} or {})",
+      context_->device.info().name, (now.systemBytes - before.systemBytes) >> 20, settingWords("size"),
+      settingWords("crop")));
 }
 
 // Takes the results of the resident band from the device.

@@ -65,7 +65,7 @@ void requireKernel(const render::RenderSettings& settings) {
   if (settings.execution.kernel != render::KernelKind::wavefront ||
       settings.image.integrator == render::Integrator::path)
     return;
-  throw UsageError("--kernel wavefront applies only to --integrator path; the other integrators have one kernel");
+  throw UsageError("the wavefront kernels trace paths alone; the other integrators have one kernel");
 }
 
 Kernel kernelFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {

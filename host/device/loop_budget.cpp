@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/vulkan/loop_limit.h"
 
 namespace candela::device {
@@ -37,8 +38,8 @@ void preferBvh(std::uint32_t limit, const vulkan::DeviceInfo& info, const scene:
     structure.accel = render::AccelKind::bvh;
     warnings.push_back(fmt::format(
         "the scene requests no acceleration structure for {} primitives: a BVH is used, which gives the same image and "
-        "keeps work on {} short; --accel none traces without one",
-        scene.primitives.size(), info.name));
+        "keeps work on {} short; {} traces without one",
+        scene.primitives.size(), info.name, settingWords("accel", "none")));
     return;
   }
   if (limit == vulkan::kUnlimitedIterations) return;
@@ -66,10 +67,10 @@ LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const
   if (flat.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * subgroupSizeOf(info))};
   const std::uint64_t segments = bruteForceSegments(limit, flat.slotCount, raysPerSegment);
   if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
-  throw FileError(
-      fmt::format("--accel none with {} primitives: {} stops loops after {} iterations, which allows at most {} "
-                  "primitives; use --accel bvh",
-                  flat.slotCount, info.name, limit, maxBruteForcePrimitives(limit, raysPerSegment)));
+  throw FileError(fmt::format(
+      "no acceleration structure for {} primitives: {} stops loops after {} iterations, which allows at most {} "
+      "primitives; use {}",
+      flat.slotCount, info.name, limit, maxBruteForcePrimitives(limit, raysPerSegment), settingWords("accel", "bvh")));
 }
 
 }  // namespace candela::device

@@ -15,9 +15,9 @@ bool hasWorkgroup(const vulkan::DeviceInfo& info, const render::Extent& workgrou
 
 void requireWorkgroup(const vulkan::DeviceInfo& info, const render::Extent& workgroup) {
   if (hasWorkgroup(info, workgroup)) return;
-  throw UsageError(fmt::format("--workgroup {}x{}: {} supports at most {} invocations per workgroup, {} by {}",
-                               workgroup.width, workgroup.height, info.name, info.maxWorkgroupInvocations,
-                               info.maxWorkgroupSize[0], info.maxWorkgroupSize[1]));
+  throw UsageError(fmt::format(
+      "a workgroup of {}x{} invocations: {} supports at most {} invocations per workgroup, {} by {}", workgroup.width,
+      workgroup.height, info.name, info.maxWorkgroupInvocations, info.maxWorkgroupSize[0], info.maxWorkgroupSize[1]));
 }
 
 }  // namespace candela::device

@@ -44,7 +44,7 @@ Check checkDevice(const vulkan::DeviceInfo& device) {
   if (device.usable) return check;
   check.status = Status::warning;
   check.text += "; not usable: " + device.whyNot;
-  check.remedy = "install a newer driver of this device, or choose another device with --device";
+  check.remedy = "install a newer driver of this device, or choose another device";
   return check;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/core/setting_words.h"
 #include "host/doctor/caches.h"
 #include "host/doctor/driver_check.h"
 #include "host/doctor/gpu_nodes.h"
@@ -32,7 +33,7 @@ void chooseFor(const std::string& selector, Diagnosis& diagnosis) {
     const std::string message = error.what();
     const std::string line = message.substr(0, message.find('\n'));
     diagnosis.checks.push_back({"chosen device", Status::problem, line.substr(0, line.rfind("; available devices")),
-                                "choose one of the devices above with --device"});
+                                "choose one of the devices above"});
   }
 }
 
@@ -75,11 +76,12 @@ std::string Diagnosis::verdict() const {
     case ExitCode::undecided:
       return fmt::format("A render will work, on {}, but whether its picture is right is not decided.", device->name);
     case ExitCode::differ:
-      return fmt::format("The pictures of {} are WRONG. `--device cpu` renders correct ones without Vulkan.",
-                         device->name);
+      return fmt::format("The pictures of {} are WRONG. `{}` renders correct ones without Vulkan.", device->name,
+                         settingWords("device", "cpu"));
     default:
-      return "A render will not work on a Vulkan device; see the problems above. `--device cpu` renders without "
-             "Vulkan.";
+      return fmt::format(
+          "A render will not work on a Vulkan device; see the problems above. `{}` renders without Vulkan.",
+          settingWords("device", "cpu"));
   }
 }
 

@@ -42,7 +42,7 @@ Check checkMemory() {
     check.text += "; the control group of this process (a container or a scheduler) sets this limit";
   if (available < kMinMemory) {
     check.status = Status::warning;
-    check.remedy = "close other programs, or render smaller pictures (--size)";
+    check.remedy = "close other programs, or render smaller pictures";
   }
   return check;
 }

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "embedded/cornell.h"
+#include "host/core/setting_words.h"
 #include "host/core/stopwatch.h"
 #include "host/device/gpu_renderer.h"
 #include "host/process/child_process.h"
@@ -21,10 +22,11 @@ constexpr std::uint32_t kSide = 48;
 constexpr std::uint32_t kSamples = 16;
 
 Trial failed(const std::string& failure) {
-  return {TrialOutcome::fails,
-          {kName, Status::problem, "rendering it " + failure,
-           "update the driver, or choose another device with --device; `--device cpu` needs no driver"},
-          {}};
+  return {
+      TrialOutcome::fails,
+      {kName, Status::problem, "rendering it " + failure,
+       fmt::format("update the driver, or choose another device; `{}` needs no driver", settingWords("device", "cpu"))},
+      {}};
 }
 
 }  // namespace
@@ -62,7 +64,7 @@ Trial interpretTrial(const nlohmann::json& comparison) {
   trial.check.status = Status::problem;
   trial.check.text = fmt::format("{}: DIFFERS from the reference tracer", what);
   trial.check.remedy =
-      "update the driver, or choose another device with --device; `candela explain SCENE` shows the "
+      "update the driver, or choose another device; `candela explain SCENE` shows the "
       "first difference";
   return trial;
 }

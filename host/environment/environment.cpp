@@ -11,6 +11,7 @@
 #include "host/core/errors.h"
 #include "host/core/finite.h"
 #include "host/core/hash.h"
+#include "host/core/setting_words.h"
 #include "host/environment/placement.h"
 #include "host/environment/sun_sky.h"
 #include "host/environment/weights.h"
@@ -63,15 +64,15 @@ ReadEnvironment readMap(const std::string& file, bool isLenient) {
   image::Image image = image::readImage(file);
   if (image.isCubeMap) {
     throw FileError(
-        fmt::format("--env {}: the file is a cube map (envmap = cube); convert it to latitude and longitude, "
+        fmt::format("the environment {}: the file is a cube map (envmap = cube); convert it to latitude and longitude, "
                     "for example by exrenvmap -latlong",
                     file));
   }
   const image::PixelBox frame = frameOf(image);
   const auto maxTexels = static_cast<std::int64_t>(kMaxTexels);
-  if (frame.isEmpty()) throw FileError(fmt::format("--env {}: the display window is empty", file));
+  if (frame.isEmpty()) throw FileError(fmt::format("the environment {}: the display window is empty", file));
   if (frame.width > maxTexels || frame.width * frame.height > maxTexels) {
-    throw FileError(fmt::format("--env {}: {} x {} pixels; an environment may have at most {} pixels", file,
+    throw FileError(fmt::format("the environment {}: {} x {} pixels; an environment may have at most {} pixels", file,
                                 frame.width, frame.height, kMaxTexels));
   }
   ReadEnvironment result{.environment = {.name = std::filesystem::path(file).filename().string(),
@@ -101,8 +102,8 @@ void scaleTexels(scene::Environment& environment, double scale) {
     const glm::vec3 scaled(glm::dvec3(texel) * scale);
     if (!std::isfinite(scaled.x) || !std::isfinite(scaled.y) || !std::isfinite(scaled.z)) {
       throw FileError(fmt::format(
-          "--env {}: the radiance of pixel {},{} is not finite; --lenient replaces such pixels of the file by black",
-          environment.name, i % environment.width, i / environment.width));
+          "the environment {}: the radiance of pixel {},{} is not finite; {} replaces such pixels of the file by black",
+          environment.name, i % environment.width, i / environment.width, settingWords("lenient")));
     }
     texel = glm::max(scaled, 0.0f);
   }

@@ -105,10 +105,11 @@ dvec3 groundIrradiance(const std::vector<dvec3>& texels) {
 scene::Environment makeSunSky(std::string_view numbers) {
   const std::optional<SunSkyParameters> parameters = parse(numbers);
   if (!parameters) {
-    throw UsageError(fmt::format(
-        "--env sun:{}: expected sun:ELEVATION,AZIMUTH,TURBIDITY with an elevation from 0 to 90 and an azimuth "
-        "from -360 to 360 degrees, and a turbidity from 2 to 10",
-        numbers));
+    throw UsageError(
+        fmt::format("the environment sun:{}: expected sun:ELEVATION,AZIMUTH,TURBIDITY with an elevation from 0 to 90 "
+                    "and an azimuth "
+                    "from -360 to 360 degrees, and a turbidity from 2 to 10",
+                    numbers));
   }
   const dvec3 sun = sunDirection(*parameters);
   const PreethamSky model(sun, parameters->turbidity);

@@ -83,8 +83,8 @@ std::string Explanation::verdict() const {
 void requirePaths(render::Integrator integrator) {
   if (integrator == render::Integrator::path) return;
   throw UsageError(
-      "only samples of --integrator path can be explained; for other integrators, `candela compare SCENE "
-      "--integrator ...` counts the pixels that differ and the decisions at which they diverge");
+      "only samples of the path tracer can be explained; for other integrators, a comparison of the tracers "
+      "(`candela compare SCENE`) counts the pixels that differ and the decisions at which they diverge");
 }
 
 Explanation explainReplays(const scene::Scene& scene, const render::RenderSettings& settings,

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/film/film_channels.h"
 #include "host/image/byte_cursor.h"
 #include "host/image/exr_attribute.h"
@@ -68,7 +69,8 @@ FilmHead parseHead(std::span<const std::byte> bytes) {
   if (cursor.takeWord() != kVersion) throw FileError("this OpenEXR file has tiles, several parts or deep data");
   const Attributes attributes = takeAttributes(cursor);
   if (!attributes.contains(kFilmAttribute)) {
-    throw FileError("this OpenEXR file is a picture without the sums of a film; `--checkpoint FILE` writes films");
+    throw FileError(fmt::format("this OpenEXR file is a picture without the sums of a film; {} writes films",
+                                settingWords("checkpoint")));
   }
   FilmHead head;
   head.headerBytes = bytes.size() - cursor.remaining();

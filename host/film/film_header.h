@@ -85,9 +85,12 @@ void setCoverage(FilmHeader& header, const image::Film& film, std::uint32_t firs
 std::optional<std::uint32_t> firstSampleOf(const FilmHeader& header);
 
 /// The differences of two films, or of a film and a render, in scene, image, settings and layers, each as a clause such
-/// as "--sampler is sobol in A and stratified in B". `a` and `b` are their names in the clauses.
+/// as "sampler is sobol in A and stratified in B", with the name of settingWords(). `a` and `b` are their names in the
+/// clauses.
 std::vector<std::string> estimateDifferences(const FilmHeader& inA, const FilmHeader& inB, const std::string& a,
                                              const std::string& b);
+/// Returns the same clauses for FilmHeader::mixed of a film whose parts differ.
+std::vector<std::string> mixedDifferences(const FilmHeader& earlier, const FilmHeader& later);
 /// Returns the differences of two tracers.
 std::vector<std::string> tracerDifferences(const Tracer& inA, const Tracer& inB, const std::string& a,
                                            const std::string& b);

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::film {
 namespace {
@@ -21,7 +22,9 @@ void requireSameTracers(const MergePart& a, const MergePart& b, const MergeOptio
   for (const Tracer& x : a.header.tracers) {
     for (const Tracer& y : b.header.tracers) {
       if (x == y || (options.mixedDevices && canMix(x, y))) continue;
-      const std::string remedy = canMix(x, y) ? "; --mixed-devices merges them nevertheless" : "";
+      const std::string remedy = canMix(x, y)
+                                     ? fmt::format("; {} merges them nevertheless", settingWords("mixed-devices"))
+                                     : "";
       throw FileError(
           fmt::format("cannot merge: {}{}", tracerDifferences(x, y, a.file.string(), b.file.string()).front(), remedy));
     }
@@ -36,7 +39,7 @@ void requireSameEstimate(const MergePart& a, const MergePart& b) {
 
 void requireMergeable(const MergePart& part) {
   if (!part.header.hasFirstStoppingRule()) return;
-  throw FileError(fmt::format("cannot merge: {} was sampled with --noise-threshold by an earlier rule; render it again",
+  throw FileError(fmt::format("cannot merge: {} was sampled with a noise threshold by an earlier rule; render it again",
                               part.file.string()));
 }
 
@@ -103,13 +106,12 @@ void requireReadable(const FilmHeader& merged) {
 void requireWhole(const std::vector<MergePart>& parts, const std::vector<SampleBox>& missing) {
   for (const MergePart& part : parts) {
     if (part.header.begun.empty()) continue;
-    throw FileError(
-        fmt::format("{}: the render was interrupted within {}; continue it with --resume first, or merge what there is "
-                    "with --partial",
-                    part.file.string(), listOf(part.header.begun)));
+    throw FileError(fmt::format(
+        "{}: the render was interrupted within {}; continue it with {} first, or merge what there is with {}",
+        part.file.string(), listOf(part.header.begun), settingWords("resume"), settingWords("partial")));
   }
   if (missing.empty()) return;
-  throw FileError(fmt::format("{} are missing; --partial merges what there is", listOf(missing)));
+  throw FileError(fmt::format("{} are missing; {} merges what there is", listOf(missing), settingWords("partial")));
 }
 
 }  // namespace candela::film

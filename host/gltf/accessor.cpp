@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "host/core/memory_budget.h"
+#include "host/core/setting_words.h"
 
 namespace candela::gltf {
 namespace {
@@ -125,7 +126,8 @@ void Accessors::readReals(const Elements& elements, NonFinite nonFinite, std::sp
   if (!bad) return;
   const std::string message = fmt::format("element {} is not finite", *bad);
   if (nonFinite == NonFinite::refused) elements.source.fail(message);
-  if (lenientLog_ == nullptr) elements.source.fail(message + "; --lenient reads it as 0");
+  if (lenientLog_ == nullptr)
+    elements.source.fail(fmt::format("{}; {} reads it as 0", message, settingWords("lenient")));
   lenientLog_->warn("finite", {}, fmt::format("{}: {}, and is read as 0", elements.source.pointer(), message));
   zeroNonFinite(result, elements.type.components);
 }

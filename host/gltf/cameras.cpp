@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/core/setting_words.h"
 #include "host/scene/quote.h"
 
 namespace candela::gltf {
@@ -67,8 +68,8 @@ View chooseView(const Value& root, const NodeTree& nodes, const std::optional<st
   const auto found = std::ranges::find_if(all,
                                           [&](const PlacedCamera& placed) { return answers(root, placed, *wish); });
   if (found == all.end()) {
-    throw FileError(
-        fmt::format("no camera {}; {}; --camera none frames the model", scene::quote(*wish), listOf(root, all)));
+    throw FileError(fmt::format("no camera {}; {}; {} frames the model", scene::quote(*wish), listOf(root, all),
+                                settingWords("camera", "none")));
   }
   return viewOf(root, nodes, *found, bounds);
 }

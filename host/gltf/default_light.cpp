@@ -91,7 +91,7 @@ void warnOfShadows(const scene::Scene& scene, scene::DiagnosticLog& log) {
   if (scene.punctualLights.empty() || std::ranges::none_of(scene.primitives, isGlass)) return;
   log.warn("shadows", {},
            "transmitting surfaces cast shadows of point, spot and directional lights: their light does not pass glass; "
-           "that of --env and of emissive surfaces does");
+           "that of environments and of emissive surfaces does");
 }
 
 }  // namespace candela::gltf

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "host/core/setting_words.h"
 #include "host/gltf/draco.h"
 #include "host/gltf/meshopt.h"
 #include "host/scene/quote.h"
@@ -62,7 +63,9 @@ void refuse(const Value& name, bool lenient, scene::DiagnosticLog& log) {
   const std::string message = fmt::format("the file requires the extension {}; {}", scene::quote(name.text()),
                                           reasonFor(name.text()));
   const bool isCompression = name.text().ends_with("_compression");
-  if (!lenient) name.fail(message + (isCompression ? "" : ", and --lenient reads the file without it"));
+  if (!lenient)
+    name.fail(isCompression ? message
+                            : fmt::format("{}, and {} reads the file without it", message, settingWords("lenient")));
   if (isCompression) name.fail(message);
   log.warn("required", {}, fmt::format("{}: {}, so that the picture may be wrong", name.pointer(), message));
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "host/core/hash.h"
+#include "host/core/setting_words.h"
 #include "host/gltf/default_light.h"
 #include "host/gltf/extensions.h"
 #include "host/gltf/scene_assembly.h"
@@ -70,7 +71,8 @@ void warnOfSmallModel(const View& view, const std::optional<Box>& bounds, scene:
   constexpr double kMinCoverage = 0.01;
   if (!bounds || !hasExtent(*bounds) || coverageOf(view.camera, *bounds) >= kMinCoverage) return;
   log.warn("view", {},
-           view.description + " shows the model in less than 1 % of the picture; --camera none frames the model");
+           fmt::format("{} shows the model in less than 1 % of the picture; {} frames the model", view.description,
+                       settingWords("camera", "none")));
 }
 
 scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptions& options,
@@ -81,7 +83,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   Buffers buffers(root, container.binary, file, options);
   Accessors accessors(root, buffers, options.lenient ? &log : nullptr);
   if (options.time && root.sizeOf("animations") == 0) {
-    log.warn("time", {}, "--time has no effect: the file has no animation");
+    log.warn("time", {}, settingWords("time") + " has no effect: the file has no animation");
   }
   const Pose pose = options.time ? poseAt(root, options.animation, *options.time, accessors) : Pose{};
   const NodeTree nodes(root, pose, options.lenient, log);

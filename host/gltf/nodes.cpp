@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "host/core/setting_words.h"
+
 namespace candela::gltf {
 
 NodeTree::NodeTree(const Value& root, const Pose& pose, bool lenient, scene::DiagnosticLog& log) {
@@ -46,7 +48,8 @@ void NodeTree::collectChildren(const Value& root, bool lenient, scene::Diagnosti
       const std::size_t child = (*list)[c].indexInto("nodes", children_.size());
       if (parents_[child] != kNone) {
         const std::string message = fmt::format("node {} has another parent already", child);
-        if (!lenient) (*list)[c].fail(message + "; --lenient keeps it below the first one only");
+        if (!lenient)
+          (*list)[c].fail(fmt::format("{}; {} keeps it below the first one only", message, settingWords("lenient")));
         log.warn("parents", {}, fmt::format("{}: {}, and stays below that one only", (*list)[c].pointer(), message));
         continue;
       }
@@ -104,8 +107,8 @@ std::size_t NodeTree::acceptRoot(const Value& entry, const Value& nodes, const P
   const bool isMoved = worlds_[parents_[node]] != glm::dmat4(1);
   const std::string problem = fmt::format("node {} is no root", node);
   if (isMoved && !lenient) {
-    entry.fail(problem +
-               ", and its ancestors have transforms, so that its position is ambiguous; --lenient ignores them");
+    entry.fail(fmt::format("{}, and its ancestors have transforms, so that its position is ambiguous; {} ignores them",
+                           problem, settingWords("lenient")));
   }
   log.warn("root", {},
            entry.pointer() + ": " + problem + (isMoved ? "; the transforms of its ancestors are ignored" : ""));

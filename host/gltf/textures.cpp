@@ -6,6 +6,7 @@
 #include "host/core/errors.h"
 #include "host/core/hash.h"
 #include "host/core/memory_budget.h"
+#include "host/core/setting_words.h"
 #include "host/gltf/texture_reference.h"
 #include "host/gltf/uri.h"
 #include "host/image/texels.h"
@@ -64,7 +65,9 @@ std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
   try {
     images_.push_back(readImage(image));
   } catch (const JsonError& error) {
-    if (!isLenient_) throw JsonError(error, "; --lenient leaves out textures whose image cannot be read");
+    if (!isLenient_)
+      throw JsonError(error,
+                      fmt::format("; {} leaves out textures whose image cannot be read", settingWords("lenient")));
     log_.warn("image", {}, std::string(error.what()) + "; its textures are left out");
     return std::nullopt;
   }

@@ -114,12 +114,12 @@ std::vector<std::string> resolve(const std::vector<std::string>& words, const Im
   for (const std::string& word : words) {
     for (const auto& [side, image] : {std::pair("A", &a), std::pair("B", &reference)}) {
       if (!channelsNamed(word, *image).empty()) continue;
-      throw UsageError(fmt::format("--channels: {} has no channel \"{}\" that can be compared; it has {}", side, word,
+      throw UsageError(fmt::format("{} has no channel \"{}\" that can be compared; it has {}", side, word,
                                    fmt::join(namesOf(*image), ", ")));
     }
     for (const std::string& name : channelsNamed(word, a)) {
       if (!findValues(reference, name)) {
-        throw UsageError(fmt::format("--channels: A has the channel \"{}\", and B has not", name));
+        throw UsageError(fmt::format("A has the channel \"{}\", and B has not", name));
       }
       if (!contains(names, name)) names.push_back(name);
     }

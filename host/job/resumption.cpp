@@ -193,7 +193,7 @@ void continueWith(film::FilmHeader& film, const film::FilmHeader& now, bool mayD
         "after the failure, {}", tracerDifferences(film.tracers.front(), tracer, "the film", "the device").front()));
   }
   insertSorted(film.tracers, tracer);
-  for (const std::string& line : estimateDifferences(film, now, "an earlier part", "a later part")) {
+  for (const std::string& line : mixedDifferences(film, now)) {
     insertSorted(film.mixed, line);
   }
 }
@@ -221,7 +221,7 @@ std::optional<std::uint32_t> adoptFilm(const Job& job, const film::FilmReader& r
     log.warning(fmt::format("{}: {}", settingWords("resume-anyway"), difference));
   }
   requireSameWindow(reader, header);
-  for (const std::string& line : estimateDifferences(film, header, "an earlier part", "a later part")) {
+  for (const std::string& line : mixedDifferences(film, header)) {
     insertSorted(header.mixed, line);
   }
   for (const std::string& line : film.mixed) insertSorted(header.mixed, line);

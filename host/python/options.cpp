@@ -1,4 +1,4 @@
-// Writes keyword arguments as words, which the parser of the command line reads.
+// Sets options by keyword arguments.
 #include "host/python/options.h"
 
 #include <fmt/format.h>
@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "host/cli/command_line.h"
+#include "host/cli/apply_options.h"
+#include "host/cli/argument_checks.h"
+#include "host/cli/did_you_mean.h"
 #include "host/core/errors.h"
 #include "host/core/json_text.h"
 #include "host/python/file_names.h"
@@ -113,22 +115,22 @@ std::string keywordOf(const cli::Option& option) {
   return keyword;
 }
 
-void addFlag(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
+void setFlag(const cli::Option& option, const py::handle& value, cli::Arguments& arguments) {
   if (option.name() == "--denoise" && py::isinstance<py::str>(value)) {
-    return words.push_back(option.name() + "=" + wordOf(value));
+    return setOption(option, wordOf(value), arguments);
   }
   if (!isBoolean(value)) {
-    throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", option.name(), wordOf(value)));
+    throw UsageError(fmt::format("{}: expected True or False, got \"{}\"", keywordOf(option), wordOf(value)));
   }
-  if (isTrue(value)) words.push_back(option.name());
+  if (isTrue(value)) setOption(option, "true", arguments);
 }
 
-void addOption(const cli::Option& option, const py::handle& value, std::vector<std::string>& words) {
-  if (option.isFlag()) return addFlag(option, value, words);
+void set(const cli::Option& option, const py::handle& value, cli::Arguments& arguments) {
+  if (option.isFlag()) return setFlag(option, value, arguments);
   if (option.name() == kLayerOption && isList(value) && py::len(value) == 0) return;
-  if (option.expected != "a path") return words.push_back(option.name() + "=" + valueText(value, option));
+  if (option.expected != "a path") return setOption(option, valueText(value, option), arguments);
   const auto add = [&](const py::handle& file) {
-    words.push_back(option.name() + "=" + fileOf(keywordOf(option), file).string());
+    setOption(option, fileOf(keywordOf(option), file).string(), arguments);
   };
   if (!isList(value)) return add(value);
   for (const py::handle& file : value) add(file);
@@ -152,8 +154,16 @@ const cli::Option* find(const FunctionOptions& function, const std::string& name
 // Options of the program that the function lacks: most of them belong to another function.
 [[noreturn]] void refuse(const FunctionOptions& function, const cli::Option& option) {
   const bool isOfLoad = kLoadOptions.has(option) && function.command != Command::check;
-  throw UsageError(fmt::format("{} is not an option of candela.{}(){}", option.name(), function.function,
+  throw UsageError(fmt::format("{} is not an option of candela.{}(){}", keywordOf(option), function.function,
                                isOfLoad ? "; candela.load() has it" : ""));
+}
+
+[[noreturn]] void refuseUnknown(const FunctionOptions& function, const std::string& keyword) {
+  std::vector<std::string> known;
+  for (const cli::Option& option : cli::optionTable()) {
+    if (function.has(option)) known.push_back(keywordOf(option));
+  }
+  throw UsageError(fmt::format("unknown option {}{}", keyword, cli::didYouMean(keyword, known)));
 }
 
 }  // namespace
@@ -164,19 +174,17 @@ bool FunctionOptions::has(const cli::Option& option) const {
 }
 
 cli::Arguments argumentsOf(const FunctionOptions& function, const py::kwargs& options) {
-  std::vector<std::string> words;
-  for (const auto& [keyword, value] : options) {
-    const std::string name = nameOf(py::str(keyword));
-    const cli::Option* option = find(function, name);
-    if (option == nullptr) {
-      words.push_back(name);  // the parser refuses it with a suggestion
-    } else if (!function.has(*option)) {
-      refuse(function, *option);
-    } else if (!value.is_none()) {
-      addOption(*option, value, words);
-    }
+  cli::Arguments arguments;
+  arguments.command = function.command;
+  for (const auto& [name, value] : options) {
+    const std::string keyword = py::str(name);
+    const cli::Option* const option = find(function, nameOf(keyword));
+    if (option == nullptr) refuseUnknown(function, keyword);
+    if (!function.has(*option)) refuse(function, *option);
+    if (!value.is_none()) set(*option, value, arguments);
   }
-  return cli::parseOptions(function.command, words);
+  checkOptions(arguments);
+  return arguments;
 }
 
 std::string keywordWords(std::string_view name, std::string_view value) {

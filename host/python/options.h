@@ -24,8 +24,8 @@ extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessi
     kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kSaveOptions, kDenoiseOptions, kMergeOptions;
 
 /// Returns the arguments of a command that has these options: max_depth=8 is --max-depth 8, and aovs is --aov. A pair
-/// or a range becomes "WxH", "X,Y" or "A:B", True and False become "on" and "off" (or a flag), and None omits an
-/// option. Throws UsageError with the messages of the command line.
+/// or a range is "WxH", "X,Y" or "A:B", True and False are "on" and "off" (or a flag), and None omits an option. Throws
+/// UsageError, which names the keyword.
 cli::Arguments argumentsOf(const FunctionOptions& function, const pybind11::kwargs& options);
 
 /// Names a setting by its keyword, as messages of libraries do in Python: see setSettingWords().

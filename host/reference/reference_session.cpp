@@ -8,6 +8,7 @@
 
 #include "host/core/errors.h"
 #include "host/core/run_on_threads.h"
+#include "host/core/setting_words.h"
 #include "host/core/stopwatch.h"
 #include "host/core/version.h"
 #include "host/reference/path.h"
@@ -48,9 +49,9 @@ void noteCost(const scene::Scene& scene, const render::RenderSettings& settings,
   const bool isRequested = settings.structure.accel == render::AccelKind::none && settings.structure.accelIsPreference;
   if (!isRequested || scene.primitives.size() < kMany) return;
   statistics.warnings.push_back(
-      fmt::format("the scene requests no acceleration structure, so that every ray tests {} primitives: --accel bvh is "
+      fmt::format("the scene requests no acceleration structure, so that every ray tests {} primitives: {} is "
                   "faster and gives the same image",
-                  scene.primitives.size()));
+                  scene.primitives.size(), settingWords("accel", "bvh")));
 }
 
 // Returns the result of `work`. Running out of memory is reported as OutOfMemoryError.

@@ -41,7 +41,7 @@ double neededSamples(double variance, double deviation, double threshold) {
 void requireAligned(const Window& window, const Extent& size) {
   if (isAligned(window.x, window.width, size.width) && isAligned(window.y, window.height, size.height)) return;
   throw UsageError(fmt::format(
-      "--crop {}: with --noise-threshold, each edge of the crop must be at a multiple of {} pixels or at an "
+      "the crop {}: with a noise threshold, each edge of the crop must be at a multiple of {} pixels or at an "
       "edge of the image",
       windowText(window), kBlockSide));
 }

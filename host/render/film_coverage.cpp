@@ -41,11 +41,11 @@ image::Film emptyFilm(const ImageSettings& settings, const Extent& size) {
 
 void requireSameSums(const image::Film& film, const ImageSettings& settings) {
   if (image::withSums(film.layers()) != image::withSums(settings.layers)) {
-    throw UsageError("a film cannot be continued by a render with other layers (--aov)");
+    throw UsageError("a film cannot be continued by a render with other layers");
   }
   if (film.scale() == settings.filmScale) return;
-  throw UsageError(fmt::format("a film of scale {} cannot be continued by a render with --film-scale {}", film.scale(),
-                               settings.filmScale));
+  throw UsageError(
+      fmt::format("a film of scale {} cannot be continued by a render of scale {}", film.scale(), settings.filmScale));
 }
 
 std::uint32_t minSampleCount(std::span<const image::FilmPixel> pixels) {

@@ -1,9 +1,13 @@
 // Completes a request by the scene's settings and the defaults.
 #include "host/render/request.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
+#include "host/render/setting_names.h"
 #include "host/scene/film_scale.h"
 
 namespace candela::render {
@@ -39,27 +43,28 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
 }
 
 void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings) {
-  if (settings.image.backdrop != Backdrop::environment && settings.image.integrator != Integrator::path) {
-    throw UsageError("--background colour and none apply only to the path tracer; use --integrator path");
+  const Integrator integrator = settings.image.integrator;
+  const auto refuse = [](const std::string& reason) {
+    throw UsageError(fmt::format("{}; use {}", reason, settingWords("integrator", nameOf(Integrator::path))));
+  };
+  if (settings.image.backdrop != Backdrop::environment && integrator != Integrator::path) {
+    refuse(
+        fmt::format("{} applies only to the path tracer", settingWords("background", nameOf(settings.image.backdrop))));
   }
-  if (!settings.image.layers.isEmpty() && settings.image.integrator != Integrator::path) {
-    throw UsageError("--aov applies only to the path tracer; use --integrator path");
+  if (!settings.image.layers.isEmpty() && integrator != Integrator::path) {
+    refuse("only the path tracer has layers");
   }
-  if (settings.image.integrator != Integrator::whitted) return;
-  if (scene.environment) {
-    throw UsageError(
-        "--integrator whitted: Whitted ray tracing does not support environments (--env); use --integrator path");
-  }
+  if (integrator != Integrator::whitted) return;
+  if (scene.environment) refuse("Whitted ray tracing does not support environments");
   const auto lacksCoefficients = [](const scene::Material& material) { return !material.whitted; };
   if (std::ranges::any_of(scene.materials, lacksCoefficients)) {
-    throw UsageError("--integrator whitted: " + scene.name +
-                     ": the materials have no coefficients for Whitted ray tracing, which only NFF and P3F state; use "
-                     "--integrator path");
+    refuse(scene.name + ": the materials have no coefficients for Whitted ray tracing, which only NFF and P3F state");
   }
   if (!scene.punctualLights.empty()) {
-    throw UsageError("--integrator whitted: " + scene.name +
-                     ": the scene has lights with fall-off, spot lights or directional lights, which Whitted ray "
-                     "tracing does not support; use --integrator path");
+    refuse(
+        scene.name +
+        ": the scene has lights with fall-off, spot lights or directional lights, which Whitted ray tracing does not "
+        "support");
   }
 }
 

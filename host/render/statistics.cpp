@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 
 namespace candela::render {
 
@@ -12,13 +13,13 @@ void requireComplete(const RenderStatistics& statistics) {
   if (statistics.structure == AccelKind::grid) {
     throw FileError(
         fmt::format("the device stopped {} traversals of the grid early, so the image would be wrong and is not "
-                    "written; use --accel bvh",
-                    statistics.truncated));
+                    "written; use {}",
+                    statistics.truncated, settingWords("accel", "bvh")));
   }
-  throw InternalError(fmt::format(
-      "the device stopped {} loops early, so the image would be wrong and is not written; a smaller "
-      "--segments-per-dispatch, another --accel or another device may help, and --device cpu has no such limit",
-      statistics.truncated));
+  throw InternalError(
+      fmt::format("the device stopped {} loops early, so the image would be wrong and is not written; a smaller "
+                  "{}, another {} or another device may help, and the reference tracer has no such limit",
+                  statistics.truncated, settingWords("segments-per-dispatch"), settingWords("accel")));
 }
 
 }  // namespace candela::render

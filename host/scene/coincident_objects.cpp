@@ -143,7 +143,8 @@ std::vector<std::string> linesOf(const CoincidenceReport& report) {
     lines.push_back(fmt::format("{} in {} pairs of objects", counted(*report.primitiveCount, "primitive"), count));
   }
   for (std::size_t i = 0; i < std::min(count, kListedPairs); ++i) lines.push_back(toText(report.pairs[i]));
-  if (count > kListedPairs) lines.push_back(fmt::format("and {} more pairs (see --json)", count - kListedPairs));
+  if (count > kListedPairs)
+    lines.push_back(fmt::format("and {} more pairs, which the report in JSON lists", count - kListedPairs));
   return lines;
 }
 

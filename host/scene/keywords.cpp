@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "host/core/setting_words.h"
 #include "host/scene/quote.h"
 #include "host/scene/statements.h"
 #include "host/scene/suggestion.h"
@@ -123,10 +124,12 @@ const Keyword* findKeyword(std::string_view word) {
 std::string describeUnknown(std::string_view word) {
   const std::string unknown = fmt::format("unknown keyword {}", quote(word));
   const auto foreign = std::ranges::find(kForeign, word, &Spelling::word);
-  if (foreign != kForeign.end()) return fmt::format("{}, {}; --lenient skips it", unknown, foreign->keyword);
+  if (foreign != kForeign.end()) {
+    return fmt::format("{}, {}; {} skips it", unknown, foreign->keyword, settingWords("lenient"));
+  }
   if (isViewKeyword(word)) return unknown + " outside a view, which begins with \"v\"";
   if (const auto near = suggest(word, spellings())) return fmt::format("{}; did you mean \"{}\"?", unknown, *near);
-  return unknown + "; comments begin with \"#\", and --lenient skips unknown lines";
+  return fmt::format("{}; comments begin with \"#\", and {} skips unknown lines", unknown, settingWords("lenient"));
 }
 
 }  // namespace candela::scene

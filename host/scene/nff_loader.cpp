@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/core/hash.h"
+#include "host/core/setting_words.h"
 #include "host/scene/exact_mean.h"
 #include "host/scene/keywords.h"
 #include "host/scene/parser.h"
@@ -61,7 +62,9 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
   Parser parser(file.bytes, file.name, file.folder, options);
   parseStatements(parser);
   if (options.camera || options.time) {
-    parser.log.warn("options", {}, "--camera and --time have no effect: the format has one view and no animation");
+    parser.log.warn("options", {},
+                    fmt::format("{} and {} have no effect: the format has one view and no animation",
+                                settingWords("camera"), settingWords("time")));
   }
   parser.scene.exactMean = findExactMean(file.bytes, parser.log);
   parser.log.throwIfErrors();

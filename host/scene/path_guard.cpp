@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/scene/quote.h"
 
 namespace candela::scene {
@@ -42,7 +43,8 @@ bool PathGuard::permits(const fs::path& path) const {
 
 void PathGuard::require(const fs::path& path) {
   if (!permits(path)) {
-    throw FileError(fmt::format("{} is outside the scene's folder; --allow-path DIR permits it", quote(path.string())));
+    throw FileError(fmt::format("{} is outside the scene's folder; {} permits it", quote(path.string()),
+                                settingWords("allow-path", "DIR")));
   }
   required_.push_back(path);
 }

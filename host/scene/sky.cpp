@@ -7,6 +7,7 @@
 #include <array>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/image/image.h"
 #include "host/scene/quote.h"
 
@@ -33,8 +34,8 @@ SkyFace readFace(const fs::path& file, std::vector<std::string>& warnings) {
   const auto isBright = [](const glm::vec3& pixel) { return glm::any(glm::greaterThan(pixel, glm::vec3(1))); };
   if (std::ranges::any_of(image.rgb, isBright)) {
     warnings.push_back(fmt::format(
-        "{}: values above 1 are clipped, since faces of sky boxes have 8 bits; --env reads maps of any brightness",
-        file.string()));
+        "{}: values above 1 are clipped, since faces of sky boxes have 8 bits; {} reads maps of any brightness",
+        file.string(), settingWords("env")));
   }
   image::Pixels8 pixels = toPixels8(image, {});
   const bool fits = pixels.width <= kMaxSkySide && pixels.height <= kMaxSkySide;

@@ -7,6 +7,7 @@
 
 #include "host/bench/render_rows.h"
 #include "host/bench/text_table.h"
+#include "host/core/setting_words.h"
 #include "host/statistics/quantiles.h"
 
 namespace candela::tune {
@@ -66,7 +67,8 @@ std::string verdict(const TuneReport& report) {
 }
 
 std::string storage(const TuneReport& report) {
-  return report.file ? fmt::format("stored in {}; --untuned ignores it", report.file->string()) : "nothing is stored";
+  return report.file ? fmt::format("stored in {}; {} ignores it", report.file->string(), settingWords("untuned"))
+                     : "nothing is stored";
 }
 
 std::string conclusion(const TuneReport& report) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "host/core/report_head.h"
+#include "host/core/setting_words.h"
 #include "host/statistics/error_rates.h"
 #include "host/verify/paired_sums.h"
 
@@ -69,7 +70,8 @@ std::string AgreementReport::verdict() const {
     case Conclusion::undecided:
       break;
   }
-  return doubtText(doubt(), image(), maxOverlooked) + remedyText(doubt(), image(), "More samples (--spp)");
+  return doubtText(doubt(), image(), maxOverlooked) +
+         remedyText(doubt(), image(), fmt::format("More samples ({})", settingWords("spp")));
 }
 
 std::string AgreementReport::toText() const {

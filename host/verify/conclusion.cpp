@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host/core/setting_words.h"
+
 namespace candela::verify {
 namespace {
 
@@ -52,7 +54,9 @@ std::string darknessText(const RegionResult& image, const SideNames& names) {
 // Names the option that accepts what is excused; nothing if that is about the whole mean.
 std::string acceptanceText(const RegionResult& image) {
   const double accepted = kAcceptance * image.relative(image.excused);
-  return accepted < 1 ? fmt::format("; --bias {:.2g}% accepts what is excused", 100 * accepted) : "";
+  return accepted < 1
+             ? fmt::format("; {} accepts what is excused", settingWords("bias", fmt::format("{:.2g}%", 100 * accepted)))
+             : "";
 }
 
 }  // namespace
@@ -96,11 +100,11 @@ std::string remedyText(Doubt doubt, const RegionResult& image, const std::string
       return " Remove or separate surfaces that coincide, or move the scene to its origin" + acceptanceText(image) +
              ".";
     case Doubt::noise:
-      return fmt::format(" {}, or a larger --bias, would decide it.", moreSamples);
+      return fmt::format(" {}, or a larger {}, would decide it.", moreSamples, settingWords("bias"));
     case Doubt::darkness:
       break;
   }
-  return " Give the scene light, for example by --env white.";
+  return fmt::format(" Give the scene light, for example by {}.", settingWords("env", "white"));
 }
 
 nlohmann::ordered_json agreesJson(Conclusion conclusion) {

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "host/core/setting_words.h"
 #include "host/statistics/error_rates.h"
 #include "host/verify/agreement.h"
 
@@ -63,7 +64,8 @@ std::optional<std::string> whyNotTestable(const std::string& name, const image::
   }
   for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
     if (image.sampleCounts[pixel] < 2)
-      return name + " has pixels with fewer than two samples: render it with a larger --spp";
+      return fmt::format("{} has pixels with fewer than two samples: render it with a larger {}", name,
+                         settingWords("spp"));
     if (!isUsable(image, pixel)) return name + " has values that are not finite, or a negative variance";
   }
   return std::nullopt;
@@ -84,9 +86,10 @@ std::optional<std::string> whyNotTestable(const image::Image& a, const image::Im
   if (const auto reason = whyNotTestable("A", a)) return reason;
   if (const auto reason = whyNotTestable("B", reference)) return reason;
   if (a.metadata.at(kSeedMetadata) != reference.metadata.at(kSeedMetadata)) return std::nullopt;
-  return "A and B have the same seed, but the test requires independent random numbers: render one of them with "
-         "another "
-         "--seed";
+  return fmt::format(
+      "A and B have the same seed, but the test requires independent random numbers: render one of them with another "
+      "{}",
+      settingWords("seed"));
 }
 
 FilmTestResult testFilms(const image::Image& a, const image::Image& reference, const LightTestOptions& options) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host/core/report_head.h"
+#include "host/core/setting_words.h"
 #include "host/verify/verify_answers.h"
 
 namespace candela::verify {
@@ -74,8 +75,8 @@ std::string differenceVerdict(const VerifyReport& report) {
 std::string openExactVerdict(const ExactTest& exact) {
   return fmt::format(
       "Not decided: noise may hide a difference of {:.2g} % from the exact result that the scene states. A longer "
-      "--time-limit, or a larger --bias, would decide it.",
-      100 * exact.detectableBias);
+      "{}, or a larger {}, would decide it.",
+      100 * exact.detectableBias, settingWords("time-limit"), settingWords("bias"));
 }
 
 }  // namespace
@@ -106,9 +107,9 @@ std::string VerifyReport::verdict() const {
       if (doubt() == Doubt::none) return openExactVerdict(*exact);
       return doubtText(doubt(), light.image(), options.maxOverlooked()) +
              remedyText(doubt(), light.image(),
-                        light.outOfTime ? "A longer --time-limit"
+                        light.outOfTime ? "A longer " + settingWords("time-limit")
                         : options.bias  ? "A longer run"
-                                        : "The longer run of --bias 1%");
+                                        : "The longer run of " + settingWords("bias", "1%"));
     case Conclusion::same:
       break;
   }

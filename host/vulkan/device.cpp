@@ -8,6 +8,7 @@
 #include <chrono>
 
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/vulkan/command_recorder_impl.h"
 #include "host/vulkan/compute_pipeline_impl.h"
 #include "host/vulkan/describe.h"
@@ -121,8 +122,8 @@ void Device::Impl::waitForFence(FirstRun first) {
   if (result == vk::Result::eSuccess) return;
   hasFailed = true;
   keepEverything();
-  throw DeviceHungError(fmt::format("{} has not finished its work after {:.0f} s; --hang-timeout sets this limit",
-                                    info.name, hangLimit.seconds(first)));
+  throw DeviceHungError(fmt::format("{} has not finished its work after {:.0f} s; {} sets this limit", info.name,
+                                    hangLimit.seconds(first), settingWords("hang-timeout")));
 }
 
 double Device::Impl::submitAndWait(FirstRun first) {

@@ -11,13 +11,17 @@
 #include "host/core/environment.h"
 #include "host/core/errors.h"
 #include "host/core/lower_case.h"
+#include "host/core/setting_words.h"
 
 namespace candela::vulkan {
 namespace {
 
-constexpr const char* kHowToGoOn =
-    "candela doctor reports the cause; --device cpu renders without Vulkan; a driver that runs on any "
-    "machine is installed on Debian by: apt-get install mesa-vulkan-drivers";
+std::string howToGoOn() {
+  return fmt::format(
+      "candela doctor reports the cause; {} renders without Vulkan; a driver that runs on any machine is installed on "
+      "Debian by: apt-get install mesa-vulkan-drivers",
+      settingWords("device", "cpu"));
+}
 
 // Environment variables by which the Vulkan loader uses the drivers of these files alone. The first one that is set
 // hides the second one.
@@ -79,10 +83,10 @@ std::string describeDevices(std::span<const DeviceInfo> devices) {
 }
 
 const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
-  if (devices.empty()) throw NoDeviceError(fmt::format("no Vulkan device found{}; {}", chosenDrivers(), kHowToGoOn));
+  if (devices.empty()) throw NoDeviceError(fmt::format("no Vulkan device found{}; {}", chosenDrivers(), howToGoOn()));
   const DeviceInfo* device = selector.empty() ? bestDevice(devices) : namedDevice(devices, selector);
   if (device == nullptr && selector.empty()) {
-    throw NoDeviceError(fmt::format("no usable Vulkan device{}; {}; available devices:{}", chosenDrivers(), kHowToGoOn,
+    throw NoDeviceError(fmt::format("no usable Vulkan device{}; {}; available devices:{}", chosenDrivers(), howToGoOn(),
                                     describeDevices(devices)));
   }
   if (device == nullptr) {

@@ -119,7 +119,7 @@ void Presenter::makeSwapchain() {
   mustRecreate_ = extent_.width == 0 || extent_.height == 0;
   if (mustRecreate_) return;
   if ((surface.supportedUsageFlags & kUsage) != kUsage) {
-    throw NoDeviceError(impl.info.name + " cannot copy pictures to windows of this display; choose another --device");
+    throw NoDeviceError(impl.info.name + " cannot copy pictures to windows of this display; choose another device");
   }
   const std::uint32_t maxImageCount = surface.maxImageCount == 0 ? std::numeric_limits<std::uint32_t>::max()
                                                                  : surface.maxImageCount;

@@ -24,7 +24,7 @@ std::vector<std::string> windowExtensions(const Glfw& glfw) {
 
 vulkan::Device openPresenting(const ViewerOptions& options, const Glfw& glfw) {
   vulkan::Device device = options.openDevice(windowExtensions(glfw));
-  if (!device.canPresent()) throw NoDeviceError(device.info().name + " cannot draw windows; choose another --device");
+  if (!device.canPresent()) throw NoDeviceError(device.info().name + " cannot draw windows; choose another device");
   return device;
 }
 

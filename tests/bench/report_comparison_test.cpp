@@ -47,7 +47,7 @@ TEST_CASE("a change within the spread of both runs is undecided, and no regressi
   const ReportComparison comparison = compare(reportOf({before}), reportOf({after}));
   CHECK(comparison.rows.at(0).verdict == RowVerdict::undecided);
   CHECK_FALSE(comparison.regressed());
-  CHECK_THAT(toText(comparison), Contains("undecided") && Contains("larger --repeat"));
+  CHECK_THAT(toText(comparison), Contains("undecided") && Contains("more repetitions"));
   CHECK(compare(reportOf({after}), reportOf({before})).rows.at(0).verdict == RowVerdict::undecided);
   after["spread"] = 0.38;  // 100 / 60 > 1.2 * 1.38
   CHECK(compare(reportOf({before}), reportOf({after})).regressed());

@@ -136,10 +136,11 @@ TEST_CASE("help of a command can be requested in any usual way") {
 
 TEST_CASE("names of other formats are refused with a better name") {
   CHECK(messageFor({"merge", "a.exr", "-o", "b/picture.png"}) ==
-        "b/picture.png: a film is an OpenEXR file; name it b/picture.exr");
-  CHECK(messageFor({"a.p3f", "--checkpoint", "film.PNG"}) == "film.PNG: a film is an OpenEXR file; name it film.exr");
+        "b/picture.png: a film is an OpenEXR file; name it b/picture.exr\nsee candela merge --help");
+  CHECK(messageFor({"a.p3f", "--checkpoint", "film.PNG"}) ==
+        "film.PNG: a film is an OpenEXR file; name it film.exr\nsee candela render --help");
   CHECK(messageFor({"compare", "a.exr", "b.exr", "--report", "page.pdf"}) ==
-        "page.pdf: the report is an HTML page; name it page.html");
+        "page.pdf: the report is an HTML page; name it page.html\nsee candela compare --help");
   CHECK(parse({"merge", "a.exr", "-o", "film.v2"}).mergedFilm == "film.v2");
   CHECK(parse({"compare", "a.exr", "b.exr", "--report", "page.htm"}).report == "page.htm");
 }
@@ -165,7 +166,7 @@ TEST_CASE("the maximum depth of a tree of rays is lower than that of a path") {
   CHECK(parse({"a.p3f", "-o", "a.png", "--max-depth", "5000"}).request.maxDepth == 5000);
   CHECK(parse({"a.p3f", "-o", "a.png", "--integrator", "whitted", "--max-depth", "20"}).request.maxDepth == 20);
   CHECK(messageFor({"a.p3f", "-o", "a.png", "--max-depth", "21", "--integrator", "whitted"}) ==
-        "--max-depth 21: the maximum with --integrator whitted is 20\nsee candela render --help");
+        "--max-depth 21: the maximum of Whitted ray tracing is 20\nsee candela render --help");
 }
 
 TEST_CASE("options of one comparison are refused for the other") {

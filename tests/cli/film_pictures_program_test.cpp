@@ -66,7 +66,7 @@ TEST_CASE("films without alpha are those of renders without --background") {
   const ProgramResult whitted = kReference.run(
       scene, {"--background", "none", "--integrator", "whitted", "-o", folder.path("a.png")});
   CHECK(whitted.exitCode == 1);
-  CHECK_THAT(whitted.err, Contains("--background colour and none apply only to the path tracer"));
+  CHECK_THAT(whitted.err, Contains("--background none applies only to the path tracer"));
 }
 
 TEST_CASE("pictures of limited indirect light say so, and get no verdict") {

@@ -37,11 +37,10 @@ TEST_CASE("layers are refused without an EXR file or a film file, and by other i
   const TemporaryFolder folder;
   const ProgramResult noExr = renderLayers(folder, {"--aov", "normal", "-o", folder.path("a.png")});
   CHECK(noExr.exitCode == 1);
-  CHECK(contains(noExr.err,
-                 "--aov: layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE"));
+  CHECK(contains(noExr.err, "layers are written to EXR and film files only; add -o FILE.exr or --checkpoint FILE"));
   CHECK(renderLayers(folder, {"--aov", "normal"}).exitCode == 1);
-  requireRefusal({"--aov", "depth", "--integrator", "whitted"}, 1, "--aov applies only to the path tracer");
-  requireRefusal({"--aov", "depth", "--integrator", "normal"}, 1, "--aov applies only to the path tracer");
+  requireRefusal({"--aov", "depth", "--integrator", "whitted"}, 1, "only the path tracer has layers");
+  requireRefusal({"--aov", "depth", "--integrator", "normal"}, 1, "only the path tracer has layers");
 }
 
 TEST_CASE("values of layers beyond the range are limited, with a warning") {

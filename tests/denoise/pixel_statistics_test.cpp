@@ -76,7 +76,7 @@ TEST_CASE("a pixel with one sample has no statistics") {
 }
 
 TEST_CASE("films without the sums or with one sample are refused, with the remedy") {
-  CHECK_THROWS_WITH(requireStatistics(image::Film(2, 2)), Catch::Contains("--aov moments or --denoise"));
+  CHECK_THROWS_WITH(requireStatistics(image::Film(2, 2)), Catch::Contains("aov = moments or denoise"));
   image::LayerSet guides;
   guides.add(image::Layer::normal);
   guides.add(image::Layer::albedo);

@@ -144,7 +144,7 @@ TEST_CASE("adaptively sampled films have version 6 of the format, and those of t
   CHECK(headerFromJson(toJson(current)) == current);
   CHECK(planOf(current));
   CHECK(estimateDifferences(header, current, "A", "B") ==
-        std::vector<std::string>{"--stopping-rule is absent in A and 2 in B"});
+        std::vector<std::string>{"stopping-rule is absent in A and 2 in B"});
   current.layers.add(image::Layer::cryptoObject);
   CHECK(current.format() == 6);
 }
@@ -162,7 +162,7 @@ TEST_CASE("films with a scale have version 7 of the format") {
   CHECK(header.format() == 7);
   CHECK(headerFromJson(toJson(header)) == header);
   CHECK(estimateDifferences(fullHeader(), headerFromJson(toJson(header)), "A", "B").front() ==
-        "--film-scale is absent in A and 17 in B");
+        "film-scale is absent in A and 17 in B");
 }
 
 TEST_CASE("scales that no film has are refused") {
@@ -210,7 +210,7 @@ TEST_CASE("a list of layers that no film has is refused") {
 TEST_CASE("films with other layers are different estimates") {
   FilmHeader a = fullHeader(), b = a;
   b.layers.add(image::Layer::depth);
-  CHECK(estimateDifferences(a, b, "A", "B") == std::vector<std::string>{"--aov is none in A and depth in B"});
+  CHECK(estimateDifferences(a, b, "A", "B") == std::vector<std::string>{"aov is none in A and depth in B"});
 }
 
 TEST_CASE("the coverage of an interrupted film is what all pixels have, and what some have") {
@@ -243,8 +243,8 @@ TEST_CASE("differences of two films are named, the scene first") {
   b.sceneHash = "ffffffffffffffff";
   CHECK(estimateDifferences(a, b, "A", "B") ==
         std::vector<std::string>{"the scene's hash is 0123456789abcdef in A and ffffffffffffffff in B",
-                                 "--seed is 7 in A and 8 in B", "--integrator is path in A and absent in B",
-                                 "--sampler is sobol in A and stratified in B"});
+                                 "seed is 7 in A and 8 in B", "integrator is path in A and absent in B",
+                                 "sampler is sobol in A and stratified in B"});
   CHECK(tracerDifferences(a.tracers[0], {"a device", "a driver", "a platform", "x", "1.0"}, "A", "B") ==
         std::vector<std::string>{"the hash of the kernels is kernels in A and x in B"});
 }

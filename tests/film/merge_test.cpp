@@ -93,7 +93,7 @@ TEST_CASE("partial merges of equal parts are equal, too, and name what is missin
   const TemporaryFolder folder;
   Files files = writeParts(folder, 2, 1, 3);
   files.erase(files.begin() + 3);
-  CHECK(refusalOfMerge(files) == "samples 4:8 of crop 20,0,21,37 are missing; --partial merges what there is");
+  CHECK(refusalOfMerge(files) == "samples 4:8 of crop 20,0,21,37 are missing; partial merges what there is");
   const MergedFilm merged = mergeFilms(files, {.mixedDevices = false, .partial = true});
   CHECK(merged.missing == std::vector{SampleBox{{20, 0, 21, 37}, {4, 8}}});
   const std::string bytes = bytesOf(mergeTo(folder / "a.exr", files, {.mixedDevices = false, .partial = true}));
@@ -133,10 +133,10 @@ TEST_CASE("films of another scene, setting, kernel or program are refused, and t
   };
   CHECK_THAT(refusalWith([](FilmHeader& h) { h.sceneHash = "ffffffffffffffff"; }), Catch::Contains("scene's hash"));
   CHECK_THAT(refusalWith([](FilmHeader& h) { h.seed = 8; }),
-             Catch::Contains("--seed is 7 in") && Catch::Contains("b.exr"));
-  CHECK_THAT(refusalWith([](FilmHeader& h) { h.samplesPerPixel = 24; }), Catch::Contains("--spp is 12 in"));
-  CHECK_THAT(refusalWith([](FilmHeader& h) { h.size.width = 50; }), Catch::Contains("--size is 41x37 in"));
-  CHECK_THAT(refusalWith([](FilmHeader& h) { h.settings["sampler"] = "independent"; }), Catch::Contains("--sampler"));
+             Catch::Contains("seed is 7 in") && Catch::Contains("b.exr"));
+  CHECK_THAT(refusalWith([](FilmHeader& h) { h.samplesPerPixel = 24; }), Catch::Contains("spp is 12 in"));
+  CHECK_THAT(refusalWith([](FilmHeader& h) { h.size.width = 50; }), Catch::Contains("size is 41x37 in"));
+  CHECK_THAT(refusalWith([](FilmHeader& h) { h.settings["sampler"] = "independent"; }), Catch::Contains("sampler is"));
   const MergeOptions mixed{.mixedDevices = true, .partial = false};
   CHECK_THAT(refusalWith([](FilmHeader& h) { h.tracers[0].kernels = "x"; }, mixed),
              Catch::Contains("hash of the kernels"));
@@ -144,7 +144,7 @@ TEST_CASE("films of another scene, setting, kernel or program are refused, and t
              Catch::Contains("program's version"));
   const auto otherDevice = [](FilmHeader& h) { h.tracers[0].device = "another device"; };
   CHECK_THAT(refusalWith(otherDevice),
-             Catch::Contains("the device is a device in") && Catch::Contains("--mixed-devices"));
+             Catch::Contains("the device is a device in") && Catch::Contains("mixed-devices merges"));
   CHECK(refusalWith(otherDevice, mixed).empty());
   CHECK(refusalWith([](FilmHeader& h) { h.tracers[0] = {"cpu", "", "GCC", "reference", "1.0"}; }, mixed).empty());
 }
@@ -160,7 +160,7 @@ TEST_CASE("films that the first rule of stopping sampled can be read, but not me
   FilmReader reader(file);
   CHECK(reader.header().isComplete());
   CHECK(readFilm(reader).hash() == film.hash());
-  CHECK_THAT(refusalOfMerge({file}), Catch::Contains("a.exr was sampled with --noise-threshold by an earlier rule"));
+  CHECK_THAT(refusalOfMerge({file}), Catch::Contains("a.exr was sampled with a noise threshold by an earlier rule"));
   adaptive.settings["stopping-rule"] = "2";
   writeFilm(file, adaptive, film);
   CHECK(refusalOfMerge({file}).empty());
@@ -207,7 +207,7 @@ TEST_CASE("an interrupted film is resumed before it is merged, unless a partial 
   writeFilm(folder / "a.exr", interrupted, film);
   const Files files{second, folder / "a.exr"};
   CHECK_THAT(refusalOfMerge(files), Catch::Contains("a.exr: the render was interrupted within samples 4:5") &&
-                                        Catch::Contains("--resume") && Catch::Contains("--partial"));
+                                        Catch::Contains("with resume first") && Catch::Contains("with partial"));
   const MergedFilm merged = mergeFilms(files, {.mixedDevices = false, .partial = true});
   CHECK(merged.header.begun == std::vector{SampleBox{kWhole.window, {4, 5}}});
   CHECK(merged.missing == std::vector{SampleBox{kWhole.window, {5, 6}}});

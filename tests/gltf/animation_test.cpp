@@ -83,9 +83,9 @@ TEST_CASE("weights of morph targets are animated") {
 }
 
 TEST_CASE("a time without an animation causes a warning") {
-  CHECK(warns(load(triangleFile(), {.time = 1}), "--time has no effect: the file has no animation"));
-  CHECK_FALSE(warns(load(triangleFile()), "--time"));
-  CHECK_FALSE(warns(load(animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR"), {.time = 1}), "--time"));
+  CHECK(warns(load(triangleFile(), {.time = 1}), "time has no effect: the file has no animation"));
+  CHECK_FALSE(warns(load(triangleFile()), "time has"));
+  CHECK_FALSE(warns(load(animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR"), {.time = 1}), "time has"));
 }
 
 TEST_CASE("an animated node has no matrix, and channels without a node are skipped") {

@@ -24,7 +24,7 @@ TEST_CASE("an unknown required extension is an error with its name, an unknown o
   file.root["extensionsRequired"] = {"KHR_materials_dispersion", "ACME_cloth"};
   CHECK(errorsOf(file.text()) ==
         "test.gltf: /extensionsRequired/1: the file requires the extension \"ACME_cloth\"; it is not supported, and "
-        "--lenient reads the file without it");
+        "lenient reads the file without it");
 }
 
 TEST_CASE("an extension is named by one warning, and metadata by none") {

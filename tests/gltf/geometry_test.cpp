@@ -136,7 +136,7 @@ TEST_CASE("lenient reading takes normals and tangents that are not finite for 0"
   attributes["NORMAL"] = file.vectors({0, nan, 1, 0, 1, 0, 0, 1, 0}, "VEC3", 3);
   attributes["TANGENT"] = file.vectors({1, 0, 0, 1, 1, 0, 0, 1, 1, -infinity, 0, 1}, "VEC4", 4);
   const std::string message = "/accessors/" + attributes["NORMAL"].dump() + ": element 0 is not finite";
-  CHECK_THAT(errorsOf(file.text()), Catch::Contains(message + "; --lenient reads it as 0"));
+  CHECK_THAT(errorsOf(file.text()), Catch::Contains(message + "; lenient reads it as 0"));
   const scene::LoadedScene loaded = load(file, {.lenient = true});
   CHECK(warns(loaded, message));
   const scene::Mesh& mesh = loaded.scene.meshes.at(0);

@@ -34,7 +34,7 @@ TEST_CASE("lenient reading keeps a node with two parents below the first one") {
   file.root["nodes"].push_back({{"children", {0}}, {"translation", {1, 0, 0}}});
   file.root["nodes"].push_back({{"children", {0}}, {"translation", {5, 0, 0}}});
   file.root["scenes"][0]["nodes"] = {1, 2};
-  CHECK(errorsOf(file.text()).find("--lenient keeps it below the first one only") != std::string::npos);
+  CHECK(errorsOf(file.text()).find("; lenient keeps it below the first one only") != std::string::npos);
   const scene::LoadedScene loaded = load(file, {.lenient = true});
   CHECK(warns(loaded, "/nodes/2/children/0: node 0 has another parent already, and stays below that one only"));
   REQUIRE(loaded.scene.meshes.size() == 1);

@@ -139,7 +139,7 @@ TEST_CASE("lenient reading leaves out the textures of images that are damaged, m
   SECTION("not an image") {}
   SECTION("a file that does not exist") { file.root["images"][0] = {{"uri", "missing.png"}}; }
   SECTION("a file outside the scene's folder") { file.root["images"][0] = {{"uri", "../outside.png"}}; }
-  CHECK(errorsOf(file.text()).find("--lenient leaves out textures") != std::string::npos);
+  CHECK(errorsOf(file.text()).find("; lenient leaves out textures") != std::string::npos);
   const scene::LoadedScene loaded = load(file, {.lenient = true});
   CHECK(warns(loaded, "its textures are left out"));
   CHECK(loaded.scene.images.empty());

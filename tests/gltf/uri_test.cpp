@@ -56,7 +56,7 @@ TEST_CASE("files outside the scene's folder need a permission") {
   std::ofstream(folder / "data.bin", std::ios::binary) << file.binary;
   file.root["buffers"] = {{{"byteLength", file.binary.size()}, {"uri", "../data.bin"}}};
   CHECK_THROWS_WITH(loadText(file.text(), {}, folder / "scene"),
-                    Catch::Contains("/buffers/0/uri: ") && Catch::Contains("--allow-path"));
+                    Catch::Contains("/buffers/0/uri: ") && Catch::Contains("allow-path"));
   const scene::LoadOptions permitting{.allowedPaths = {folder.path()}};
   CHECK(loadText(file.text(), permitting, folder / "scene").scene.primitives.size() == 1);
 }

@@ -1,6 +1,7 @@
 """Common parts of the tests of the Python module: paths, the program, and a folder for each test."""
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -13,6 +14,13 @@ CORNELL = SOURCE / "scenes/cornell.p3f"
 DEVICE = os.environ.get("CANDELA_TEST_DEVICE", "llvmpipe")
 FLAGS = ("one_sided", "resume_anyway", "denoise", "aov_through_specular")
 SMALL = {"size": (24, 20), "spp": 4}
+
+
+def with_keywords(text):
+    """A text of the program with keywords instead of options."""
+    text = re.sub(r"--([a-z][a-z-]*) (\d[\d.]*)(?![\d%])", r"--\1=\2", text)
+    text = re.sub(r"--([a-z][a-z-]*) (path|none|cpu|moments|white|[\d.]+%|/[^\s,;]+)(?=[,;.)\s]|$)", r'--\1="\2"', text)
+    return re.sub(r"--([a-z][a-z-]*)", lambda option: option[1].replace("-", "_").replace("aov", "aovs"), text)
 
 
 def words_of(options):

@@ -22,7 +22,7 @@ class Documentation(FolderTest):
         with contextlib.redirect_stdout(printed):
             for example in examples:
                 exec(compile(example, "docs/python.md", "exec"), names)  # pylint: disable=exec-used
-        for shown in ("(64, 64, 3) float32", '--spp: expected a whole number from 0 to 1073741824, got "-1"', "4 samples, noise",
+        for shown in ("(64, 64, 3) float32", 'spp: expected a whole number from 0 to 1073741824, got "-1"', "4 samples, noise",
                       "{'normal': (64, 64, 3), 'depth': (64, 64)}"):
             self.assertIn(shown, printed.getvalue())
         for file in ("cornell.png", "cornell.exr", "square.png", "part.film", "layers.exr", "denoised.png", "noisy.png"):

@@ -53,7 +53,7 @@ class Films(FolderTest):
         for spp in (4.0, numpy.float32(4), numpy.float64(4)):
             self.assertEqual(candela.render(cornell(), spp=spp, **small).hash, whole)
         for spp in (4.5, float("nan"), float("inf"), -1.0):
-            with self.assertRaisesRegex(candela.UsageError, "--spp: expected a whole number"):
+            with self.assertRaisesRegex(candela.UsageError, "spp: expected a whole number"):
                 candela.render(cornell(), spp=spp, **small)
 
     def test_short_names_of_layers(self):

@@ -179,7 +179,7 @@ class SceneArrays(FolderTest):
             ({"materials": [{"unlit": numpy.zeros(2)}]}, r"materials\[0\]: unlit: expected True or False, got array"),
             ({"name": None}, "name: expected a text, got None"),
             ({"name": "\udcff"}, "name: expected a text, got '.udcff'"),
-            ({"spp": 4}, r"--spp is not an option of candela.Scene\(\)"),
+            ({"spp": 4}, r"spp is not an option of candela.Scene\(\)"),
         ]
         for change, text in mistakes:
             with self.subTest(text):

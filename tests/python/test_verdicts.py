@@ -5,20 +5,29 @@ import unittest
 import numpy
 
 import candela
-from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, words_of
+from support import CORNELL, DEVICE, SMALL, FolderTest, cornell, run, with_keywords, words_of
 
 
 def without_times(report):
     return {name: value for name, value in report.items() if "econds" not in name}
 
 
+def in_python(report):
+    """A report of the program with keywords instead of options in all texts."""
+    if isinstance(report, dict):
+        return {key: in_python(value) for key, value in report.items()}
+    if isinstance(report, list):
+        return [in_python(value) for value in report]
+    return with_keywords(report) if isinstance(report, str) else report
+
+
 class Verdicts(FolderTest):
     def check(self, outcome, *words, code=0):
         done = run(*words, "--json", self.folder / "report.json", code=code)
-        self.assertEqual(outcome.text, done.stdout)
+        self.assertEqual(outcome.text, with_keywords(done.stdout))
         self.assertEqual(str(outcome), outcome.text)
         report = json.loads((self.folder / "report.json").read_text())
-        self.assertEqual(without_times(outcome.report), without_times(report))
+        self.assertEqual(without_times(outcome.report), without_times(in_python(report)))
         self.assertIs(outcome.agrees, {0: True, 3: False, 8: None}[code])
 
     def test_verify(self):

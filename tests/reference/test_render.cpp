@@ -282,7 +282,7 @@ TEST_CASE("a scene of many primitives that prefers no structure gets none, and a
   const render::RenderStatistics statistics = renderScene(builder.scene, settings).statistics;
   CHECK(statistics.structure == render::AccelKind::none);
   REQUIRE(statistics.warnings.size() == 1);
-  CHECK(statistics.warnings.front().find("every ray tests 10000 primitives: --accel bvh") != std::string::npos);
+  CHECK(statistics.warnings.front().find("every ray tests 10000 primitives: accel = bvh") != std::string::npos);
   settings.structure.accelIsPreference = false;
   CHECK(renderScene(builder.scene, settings).statistics.warnings.empty());
 }

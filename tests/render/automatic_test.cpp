@@ -41,8 +41,8 @@ TEST_CASE("requested loads that do not fit are refused, and the message names th
   using enum render::SceneLoads;
   for (const render::SceneLoads preferred : {render::SceneLoads::texel, storage}) {
     CHECK_THROWS_WITH(loadsWhere(99, 100, render::SceneLoads::texel, preferred),
-                      Catch::Contains("use --loads storage"));
-    CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use --loads texel"));
+                      Catch::Contains("use loads = storage"));
+    CHECK_THROWS_WITH(loadsWhere(100, 99, storage, preferred), Catch::Contains("use loads = texel"));
     CHECK_THROWS_WITH(loadsWhere(99, 99, automatic, preferred), Catch::Contains("make it smaller"));
     CHECK_THROWS_AS(loadsWhere(99, 99, storage, preferred), FileError);
   }

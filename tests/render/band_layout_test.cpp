@@ -70,7 +70,7 @@ TEST_CASE("an image with a row that no buffer can contain is refused with the re
   const Kernel kernel = kernelFor(flatten::FlatScene{}, settings);
   CHECK_THROWS_WITH(bandHeight(deviceThatBinds(1 << 20), kernel, settings, kUnlimited),
                     Catch::Contains("65535 pixels wide") && Catch::Contains("made device binds at most 1024 KiB") &&
-                        Catch::Contains("use --size"));
+                        Catch::Contains("make it narrower"));
   CHECK(bandHeight(deviceThatBinds(kUnlimited), kernel, settings, kUnlimited) == 2);
 }
 

@@ -158,7 +158,7 @@ TEST_CASE("a session continues films of its own scale only") {
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
   for (render::Renderer* const renderer : {&testRenderer(), reference.get()}) {
     const auto session = renderer->prepare(scene, settings);
-    CHECK_THROWS_WITH(session->load(image::Film(4, 4)), Catch::Contains("--film-scale 17"));
+    CHECK_THROWS_WITH(session->load(image::Film(4, 4)), Catch::Contains("a render of scale 17"));
     session->advance({0, 2}, {});
     const image::Film half = session->film();
     session->advance({0, 4}, {});

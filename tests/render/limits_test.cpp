@@ -154,7 +154,7 @@ TEST_CASE("brute force beyond the device's loop limit is refused with a message"
   const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = 65535});
   render::RenderSettings settings = squareSettings(8, 1);
   settings.structure.accel = render::AccelKind::none;
-  CHECK_THROWS_WITH(renderer->render(heightField(129), settings, {}), Catch::Contains("use --accel bvh"));
+  CHECK_THROWS_WITH(renderer->render(heightField(129), settings, {}), Catch::Contains("use accel = bvh"));
 }
 
 TEST_CASE("the limit of brute force falls with the number of lights") {

@@ -209,6 +209,6 @@ TEST_CASE("an integrator that traces no paths has no wavefront") {
     settings.image.integrator = integrator;
     settings.image.maxDepth = 4;
     CHECK_THROWS_WITH(testRenderer().render(loadTestScene("balls.p3f"), settings, {}),
-                      Catch::Contains("--kernel wavefront applies only to --integrator path"));
+                      Catch::Contains("the wavefront kernels trace paths alone"));
   }
 }

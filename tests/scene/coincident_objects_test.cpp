@@ -101,7 +101,7 @@ TEST_CASE("the first eight pairs of objects are listed, those with most primitiv
   CHECK(lines[0] == "42 primitives in 10 pairs of objects");
   CHECK(lines[1] == "4 triangles of node B9 coincide with 2 triangles of node A9");
   CHECK(lines[2] == "2 triangles of node B0 coincide with 2 triangles of node A0");
-  CHECK(lines[9] == "and 2 more pairs (see --json)");
+  CHECK(lines[9] == "and 2 more pairs, which the report in JSON lists");
 }
 
 TEST_CASE("a scene whose search ended early says so") {

@@ -38,7 +38,7 @@ const std::vector<Malformed> kMalformed{
     {"S 0 0 0 1\n", 1, 1, "did you mean \"s\"?"},
     {"asdabb 0 0 0 1 1 1\n", 1, 1, "did you mean \"aabb\"?"},
     {"bcrl 0 0 0\n", 1, 1, "did you mean \"bclr\"?"},
-    {"Wall\n", 1, 1, "comments begin with \"#\", and --lenient skips unknown lines"},
+    {"Wall\n", 1, 1, "comments begin with \"#\", and lenient skips unknown lines"},
     {"/left line\n", 1, 1, "unknown keyword \"/left\""},
     {"From: haines@example.org\n", 1, 1, "unknown keyword \"From:\""},
     {"fire sky\n", 1, 1, "write \"env\""},

@@ -36,7 +36,7 @@ TEST_CASE("the text has a row for each candidate, the choice, its gain over the 
       text,
       Contains("chosen: layout=bvh2 loads=texel workgroup=8x8 kernel=megakernel, 1.91 times as fast as the built-in "
                "layout=cwbvh loads=texel workgroup=8x8 kernel=megakernel (noise 3.0 %)"));
-  CHECK_THAT(text, Contains("stored in /cache/a.json; --untuned ignores it"));
+  CHECK_THAT(text, Contains("stored in /cache/a.json; untuned ignores it"));
   CHECK_THAT(toMarkdown(reportOfChoice()), Contains("| layout=bvh2 loads=texel workgroup=8x8 kernel=megakernel |"));
 }
 

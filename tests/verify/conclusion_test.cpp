@@ -84,9 +84,9 @@ TEST_CASE("the remedy of noise is samples, and that of rounding is geometry or a
     return remedyText(doubtOf(image, 0.01), image, "More samples");
   };
   CHECK_THAT(remedyOf({.noise = 0.02}),
-             Contains("More samples, or a larger --bias, would decide it.") && !Contains("coincide"));
-  CHECK_THAT(remedyOf({.excused = 0.02}), Contains("surfaces that coincide") && Contains("--bias 3% accepts"));
-  CHECK_THAT(remedyOf({.excused = 0.8}), !Contains("--bias"));
+             Contains("More samples, or a larger bias, would decide it.") && !Contains("coincide"));
+  CHECK_THAT(remedyOf({.excused = 0.02}), Contains("surfaces that coincide") && Contains("bias = 3% accepts"));
+  CHECK_THAT(remedyOf({.excused = 0.8}), !Contains("bias"));
   CHECK(remedyOf({}).empty());
 }
 

@@ -85,7 +85,7 @@ TEST_CASE("the message without a device names the variable that selects drivers,
   }
   const EnvironmentGuard none("VK_DRIVER_FILES", "");
   CHECK_THAT(messageOf({}, ""), Contains("VK_ICD_FILENAMES allows only the driver /other.json"));
-  CHECK_THAT(messageOf({}, ""), Contains("candela doctor") && Contains("--device cpu"));
+  CHECK_THAT(messageOf({}, ""), Contains("candela doctor") && Contains("device = cpu renders"));
   const EnvironmentGuard noneAtAll("VK_ICD_FILENAMES", "");
   CHECK_THAT(messageOf({}, ""), !Contains("environment variable"));
 }

@@ -6,7 +6,7 @@ class CandelaWarning(UserWarning):
 
 
 class Error(Exception):
-    """Base class of all errors of Candela. Their texts are those of the program."""
+    """Base class of all errors of Candela. Their texts are those of the program, with keywords instead of options."""
 
     exit_code = 70
 
