@@ -16,9 +16,7 @@ bool usesIntegrator(const Arguments& arguments, render::Integrator integrator) {
   return arguments.request.image.integrator == integrator;
 }
 
-bool usesAccel(const Arguments& arguments, render::AccelKind accel) {
-  return arguments.request.structure.accel == accel;
-}
+bool usesAccel(const Arguments& arguments, render::AccelKind accel) { return arguments.request.accel == accel; }
 
 bool usesEnvironment(const Arguments& arguments) { return !arguments.loadOptions.environment.source.empty(); }
 

@@ -37,9 +37,6 @@ render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene&
   request.size = settings.image.size;
   request.accel = settings.structure.accel;
   request.maxDepth = settings.image.maxDepth;
-  request.image = settings.image;
-  request.structure = settings.structure;
-  request.execution = settings.execution;
   job::requirePossible(scene, settings, arguments.film, !arguments.outputs.empty());
   noteIdleOptions(arguments, log);
   noteLostAlpha(arguments, log);

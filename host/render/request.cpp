@@ -22,7 +22,7 @@ AccelKind accelOf(const scene::Scene& scene) {
 }  // namespace
 
 RenderSettings::RenderSettings(const RenderRequest& request)
-    : image(request.image), structure(request.structure), execution(request.execution) {}
+    : image{request.image}, structure{request.structure}, execution(request.execution) {}
 
 std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene) {
   return request.sampleCount.value_or(scene.requestedSamples.value_or(ImageSettings{}.sampleCount));

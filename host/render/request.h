@@ -16,9 +16,8 @@ struct RenderRequest {
   std::optional<AccelKind> accel;          ///< default: BVH
   std::optional<std::uint32_t> maxDepth;   ///< default: defaultMaxDepth()
   std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
-  /// All other settings; those that the members above decide are not read.
-  ImageSettings image;
-  StructureSettings structure;
+  ImageChoices image;
+  StructureChoices structure;
   ExecutionSettings execution;
 };
 

@@ -66,17 +66,10 @@ inline constexpr std::uint32_t kMaxSampleCount = 1u << 30;
 /// Default of the maximum depth on the command line.
 constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrator == Integrator::whitted ? 4 : 64; }
 
-/// Everything that determines the image. Two renders of one scene with equal ImageSettings have equal films, bit for
-/// bit, on one device, whatever the other settings are (except that Integrator::cost shows the acceleration structure).
-/// Settings that select another compiled kernel are an exception where a compiler contracts operations differently in
-/// each: docs/testing.md, "Equal bits on other devices".
-struct ImageSettings {
-  Extent size;                     ///< pixels, each in [1, 65535]
-  std::optional<Window> crop;      ///< pixels that are rendered, within `size`; absent: all. It changes none of them
-  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
+/// The choices that determine an image, without those that a scene may request.
+struct ImageChoices {
+  std::optional<Window> crop;  ///< pixels that are rendered, within the image; absent: all. It changes none of them
   std::uint32_t seed = 0;
-  /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
-  std::uint32_t maxDepth = 64;
   std::uint32_t rouletteStart = 4;  ///< number of path vertices before Russian roulette starts
   Integrator integrator = Integrator::path;
   std::optional<float> aoDistance;  ///< maximum length of `ao` rays in units of the scene, > 0; absent: |from - at| / 4
@@ -85,39 +78,58 @@ struct ImageSettings {
   FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
   PixelOrigin pixelOrigin = PixelOrigin::centre;
-  bool antialiasing = true;            ///< false: each camera ray passes through its pixel's origin
   float lightSize = 0;                 ///< side of the squares that replace point lights, >= 0; Whitted only
   std::optional<float> indirectLimit;  ///< maximum of a contribution of light that was scattered twice or more, > 0
   Backdrop backdrop = Backdrop::environment;  ///< path tracer only
   image::LayerSet layers;                     ///< beside the film; path tracer only
   bool layersThroughSpecular = false;  ///< layers show the surfaces that are seen in perfect mirrors and through smooth
                                        ///< glass
-  /// Exponent k of the film's scale, at most image::kMaxFilmScale: see image::Film. resolve() sets it.
+  bool oneSided = false;               ///< hits on the back of triangles and planes with T = 0 are ignored
+
+  /// Returns whether the film counts the samples whose camera rays hit something: FilmPixel::hitCount.
+  bool hasAlpha() const { return backdrop == Backdrop::none; }
+
+  bool operator==(const ImageChoices&) const = default;
+};
+
+/// Everything that determines the image. Two renders of one scene with equal ImageSettings have equal films, bit for
+/// bit, on one device, whatever the other settings are (except that Integrator::cost shows the acceleration structure).
+/// Settings that select another compiled kernel are an exception where a compiler contracts operations differently in
+/// each: docs/testing.md, "Equal bits on other devices".
+struct ImageSettings : ImageChoices {
+  Extent size{};                   ///< pixels, each in [1, 65535]
+  std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
+  bool antialiasing = true;        ///< false: each camera ray passes through its pixel's origin
+  /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
+  std::uint32_t maxDepth = 64;
+  /// Exponent k of the film's scale, at most image::kMaxFilmScale: see image::Film.
   std::uint32_t filmScale = 0;
-  bool oneSided = false;  ///< hits on the back of triangles and planes with T = 0 are ignored
 
   /// Returns the pixels that are rendered: those of the film.
   Window window() const { return crop.value_or(windowOf(size)); }
   /// Returns whether the pixel filter distributes the camera rays; otherwise they pass through the pixels' origins.
   bool jittersPixels() const { return antialiasing && (integrator == Integrator::path || sampleCount > 1); }
 
-  /// Returns whether the film counts the samples whose camera rays hit something: FilmPixel::hitCount.
-  bool hasAlpha() const { return backdrop == Backdrop::none; }
-
   bool operator==(const ImageSettings&) const = default;
 };
 
+/// The choices of an acceleration structure, without its kind, which a scene may request.
+struct StructureChoices {
+  BvhSplit bvhSplit = BvhSplit::sah;
+  BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah only
+  BvhLayout bvhLayout = BvhLayout::automatic;
+  float gridDensity = 2;  ///< m of a grid with about m^3 cells per primitive, in [1/16, 64]
+
+  bool operator==(const StructureChoices&) const = default;
+};
+
 /// The acceleration structure. It changes no bit of the image (except with Integrator::cost).
-struct StructureSettings {
+struct StructureSettings : StructureChoices {
   AccelKind accel = AccelKind::bvh;
   /// True if `accel` is a preference. If it is AccelKind::none and the device cannot test all primitives of the scene
   /// sequentially, a preference is replaced by a BVH, with a sentence in RenderStatistics::warnings. Otherwise an
   /// exception is thrown.
   bool accelIsPreference = false;
-  BvhSplit bvhSplit = BvhSplit::sah;
-  BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah only
-  BvhLayout bvhLayout = BvhLayout::automatic;
-  float gridDensity = 2;  ///< m of a grid with about m^3 cells per primitive, in [1/16, 64]
 
   bool operator==(const StructureSettings&) const = default;
 };

@@ -42,7 +42,6 @@ TEST_CASE("defaults of options are those of the settings") {
   CHECK_FALSE(arguments.request.maxDepth);
   CHECK(arguments.device.empty());
   CHECK(arguments.request.image.seed == 0);
-  CHECK(arguments.request.image.maxDepth == 64);
   CHECK(arguments.request.image.rouletteStart == 4);
   CHECK(arguments.request.image.nextEventEstimation);
   CHECK(arguments.request.image.sampler == render::SamplerKind::sobol);

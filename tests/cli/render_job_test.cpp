@@ -31,29 +31,29 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
   scene::Scene scene = sceneWithCamera();
 
   Arguments byDefault;
-  resolveRequests(byDefault, scene, log);
-  CHECK(byDefault.request.image.sampleCount == 16);
-  CHECK(byDefault.request.structure.accel == render::AccelKind::bvh);
-  CHECK(byDefault.request.image.size.width == 40);
-  CHECK(byDefault.request.image.size.height == 30);
+  const render::RenderSettings byDefaultSettings = resolveRequests(byDefault, scene, log);
+  CHECK(byDefaultSettings.image.sampleCount == 16);
+  CHECK(byDefaultSettings.structure.accel == render::AccelKind::bvh);
+  CHECK(byDefaultSettings.image.size.width == 40);
+  CHECK(byDefaultSettings.image.size.height == 30);
   CHECK(sink.str().empty());
 
   scene.requestedSamples = 225;
   scene.requestedAccel = scene::RequestedAccel::none;
   Arguments byFile;
-  resolveRequests(byFile, scene, log);
-  CHECK(byFile.request.image.sampleCount == 225);
-  CHECK(byFile.request.structure.accel == render::AccelKind::none);
+  const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, log);
+  CHECK(byFileSettings.image.sampleCount == 225);
+  CHECK(byFileSettings.structure.accel == render::AccelKind::none);
   CHECK(sink.str() == "candela: 225 samples per pixel, as requested by the scene\n");
 
   Arguments byOption;
   byOption.request.sampleCount = 3;
   byOption.request.accel = render::AccelKind::bvh;
   byOption.request.size = render::Extent{5, 6};
-  resolveRequests(byOption, scene, log);
-  CHECK(byOption.request.image.sampleCount == 3);
-  CHECK(byOption.request.structure.accel == render::AccelKind::bvh);
-  CHECK(byOption.request.image.size.height == 6);
+  const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, log);
+  CHECK(byOptionSettings.image.sampleCount == 3);
+  CHECK(byOptionSettings.structure.accel == render::AccelKind::bvh);
+  CHECK(byOptionSettings.image.size.height == 6);
 }
 
 TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
@@ -61,14 +61,14 @@ TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
   scene::Scene scene = sceneWithCamera();
   scene.requestedSamples = 0;
   Arguments byFile;
-  resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
-  CHECK(byFile.request.image.sampleCount == 1);
-  CHECK_FALSE(byFile.request.image.jittersPixels());
+  const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
+  CHECK(byFileSettings.image.sampleCount == 1);
+  CHECK_FALSE(byFileSettings.image.jittersPixels());
   CHECK(byFile.request.sampleCount == 0u);
   Arguments byOption;
   byOption.request.sampleCount = 1;
-  resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
-  CHECK(byOption.request.image.jittersPixels());
+  const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
+  CHECK(byOptionSettings.image.jittersPixels());
 }
 
 TEST_CASE("a structure that only the scene requests is a preference") {
@@ -76,29 +76,29 @@ TEST_CASE("a structure that only the scene requests is a preference") {
   scene::Scene scene = sceneWithCamera();
   scene.requestedAccel = scene::RequestedAccel::none;
   Arguments byFile;
-  resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
-  CHECK(byFile.request.structure.accelIsPreference);
+  const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
+  CHECK(byFileSettings.structure.accelIsPreference);
   Arguments byOption;
   byOption.request.accel = render::AccelKind::none;
-  resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
-  CHECK_FALSE(byOption.request.structure.accelIsPreference);
+  const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
+  CHECK_FALSE(byOptionSettings.structure.accelIsPreference);
 }
 
 TEST_CASE("the maximum depth is that of the integrator unless the command line states it") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::normal);
   Arguments path;
-  resolveRequests(path, sceneWithCamera(), log);
-  CHECK(path.request.image.maxDepth == 64);
+  const render::RenderSettings pathSettings = resolveRequests(path, sceneWithCamera(), log);
+  CHECK(pathSettings.image.maxDepth == 64);
   Arguments whitted;
   whitted.request.image.integrator = render::Integrator::whitted;
-  resolveRequests(whitted, sceneWithCamera(), log);
-  CHECK(whitted.request.image.maxDepth == 4);
+  const render::RenderSettings whittedSettings = resolveRequests(whitted, sceneWithCamera(), log);
+  CHECK(whittedSettings.image.maxDepth == 4);
   Arguments stated;
   stated.request.image.integrator = render::Integrator::whitted;
   stated.request.maxDepth = 7;
-  resolveRequests(stated, sceneWithCamera(), log);
-  CHECK(stated.request.image.maxDepth == 7);
+  const render::RenderSettings statedSettings = resolveRequests(stated, sceneWithCamera(), log);
+  CHECK(statedSettings.image.maxDepth == 7);
 }
 
 TEST_CASE("images of a camera that is not the scene's name it") {
@@ -120,8 +120,8 @@ TEST_CASE("a file can request each of the structures") {
                                          {scene::RequestedAccel::bvh, render::AccelKind::bvh}}) {
     scene.requestedAccel = requested;
     Arguments arguments;
-    resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
-    CHECK(arguments.request.structure.accel == accel);
+    const render::RenderSettings argumentsSettings = resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
+    CHECK(argumentsSettings.structure.accel == accel);
   }
   CHECK(sink.str().empty());
 }
