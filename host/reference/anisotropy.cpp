@@ -3,11 +3,9 @@
 
 #include <complex>
 
-#include "host/reference/textured_material.h"
-
 namespace candela::reference {
 
-void alignAnisotropy(const scene::Scene& scene, Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
+void alignAnisotropy(const TextureReader& textures, Surface& surface, SurfaceMaterial& material) {
   if (!material.surface || material.surface->anisotropy == 0) return;
   const MeshAttributes& attributes = surface.attributes;
   if (attributes.tangent == dvec3(0)) {
@@ -15,12 +13,12 @@ void alignAnisotropy(const scene::Scene& scene, Surface& surface, SurfaceMateria
     return;
   }
   std::complex<double> direction = std::polar(1.0, double{material.surface->anisotropyRotation});
-  if (const auto texel = texelOf(scene, surface, scene::TextureSlot::anisotropy, rounding)) {
+  if (const auto texel = textures.at(surface, scene::TextureSlot::anisotropy)) {
     direction *= std::complex<double>(2 * redOf(*texel) - 1, 2 * greenOf(*texel) - 1);
     material.surface->anisotropy *= static_cast<float>(blueOf(*texel));
   }
   const dvec3 rough = direction.real() * attributes.tangent + direction.imag() * attributes.bitangent;
-  surface.anisotropyDirection = rounding.turned(normalize(rough), kRoundingBounds.frame);
+  surface.anisotropyDirection = textures.arithmetic.direction(normalize(rough));
 }
 
 }  // namespace candela::reference

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <tuple>
 
-#include "host/reference/rounding.h"
 #include "host/scene/coincidence.h"
 #include "host/scene/shape.h"
 

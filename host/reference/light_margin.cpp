@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/reference/rounding.h"
-
 namespace candela::reference {
 
 double LightMargin::margin(double reach) const { return fraction_ * std::max(maxNorm(point_), reach); }

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/reference/textured_material.h"
-
 namespace candela::reference {
 namespace {
 
@@ -14,11 +12,11 @@ dvec3 directionOf(Texel texel) { return 2.0 * dvec3(redOf(texel), greenOf(texel)
 
 }  // namespace
 
-void applyNormalMap(const scene::Scene& scene, scene::TextureSlot slot, Surface& surface, Rounding& rounding) {
+void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface) {
   const MeshAttributes& attributes = surface.attributes;
-  const std::optional<Texel> texel = texelOf(scene, surface, slot, rounding);
+  const std::optional<Texel> texel = textures.at(surface, slot);
   if (!texel || attributes.tangent == dvec3(0)) return;
-  const scene::Material& material = scene.materials[surface.material];
+  const scene::Material& material = textures.scene.materials[surface.material];
   const double scale = slot == scene::TextureSlot::normal ? material.normalScale : material.coatNormalScale;
   const dvec3 c = directionOf(*texel);
   dvec3 mapped = c.x * scale * attributes.tangent + c.y * scale * attributes.bitangent + c.z * surface.smoothNormal;

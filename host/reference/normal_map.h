@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "host/reference/bsdf.h"
-#include "host/reference/rounding.h"
 #include "host/reference/surface.h"
+#include "host/reference/textured_material.h"
 
 namespace candela::reference {
 
-/// Replaces the shading normal of a surface by that of a normal map of its material, if there is one in the slot. The
-/// texel becomes a decision of `rounding`.
-void applyNormalMap(const scene::Scene& scene, scene::TextureSlot slot, Surface& surface, Rounding& rounding);
+/// Replaces the shading normal of a surface by that of a normal map of its material, if there is one in the slot.
+void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface);
 
 /// The facets of a normal map, in the frame of the mapped normal.
 class NormalMapFacets {

@@ -22,14 +22,12 @@ bool isTransparent(const scene::Scene& scene, const scene::Primitive& primitive)
 }
 
 double opacityAt(const scene::Scene& scene, const scene::Primitive& triangle, const MeshAttributes& attributes,
-                 const dvec2& jitter, const dvec2& error) {
+                 const dvec2& st, const dvec2& jitter) {
   const scene::Opacity& opacity = *scene.materials[triangle.material].opacity;
   double alpha = opacity.factor;
   if (!meshOf(scene, triangle).colours.empty()) alpha *= attributes.colour.w;
   if (opacity.texture) {
     const scene::TextureImage& image = scene.images[opacity.texture->image];
-    const dvec2 st = textureCoordinates(*opacity.texture, attributes) +
-                     error * coordinateErrors(*opacity.texture, attributes);
     alpha *= opacity.cutoff ? filteredAlpha(image, *opacity.texture, st)
                             : alphaOf(texelAt(image, *opacity.texture, st, jitter));
   }
@@ -37,12 +35,22 @@ double opacityAt(const scene::Scene& scene, const scene::Primitive& triangle, co
   return alpha >= double{*opacity.cutoff} ? 1 : 0;
 }
 
-bool isThere(const scene::Scene& scene, std::uint32_t primitive, const Ray& ray, const dvec2& errorSign) {
+MeshAttributes attributesAtHit(const scene::Scene& scene, std::uint32_t primitive, const Ray& ray) {
   const scene::Primitive& triangle = scene.primitives[primitive];
-  const dvec2 b = TriangleShape(triangleOf(scene, triangle)).barycentrics(ray);
-  const MeshAttributes attributes = attributesAt(scene, triangle, b, dvec3(0));
+  return attributesAt(scene, triangle, TriangleShape(triangleOf(scene, triangle)).barycentrics(ray), dvec3(0));
+}
+
+bool isThere(const scene::Scene& scene, std::uint32_t primitive, const Ray& ray, const MeshAttributes& attributes,
+             const dvec2& st) {
   const Words words = pcg4d({ray.opacityKey, primitive, 0, 0});
-  return toUnit(words[0]) < opacityAt(scene, triangle, attributes, {toUnit(words[1]), toUnit(words[2])}, errorSign);
+  const dvec2 jitter(toUnit(words[1]), toUnit(words[2]));
+  return toUnit(words[0]) < opacityAt(scene, scene.primitives[primitive], attributes, st, jitter);
+}
+
+bool isThere(const scene::Scene& scene, std::uint32_t primitive, const Ray& ray) {
+  const MeshAttributes attributes = attributesAtHit(scene, primitive, ray);
+  const auto& texture = scene.materials[scene.primitives[primitive].material].opacity->texture;
+  return isThere(scene, primitive, ray, attributes, texture ? textureCoordinates(*texture, attributes) : dvec2(0));
 }
 
 }  // namespace candela::reference

@@ -6,6 +6,7 @@
 
 #include "host/reference/anisotropy.h"
 #include "host/reference/facet_scattering.h"
+#include "host/reference/path_notes.h"
 #include "host/reference/reflectance.h"
 #include "host/reference/shading_frame.h"
 #include "host/reference/vertex_numbers.h"
@@ -27,33 +28,74 @@ bool isPerfect(const scene::Material& material) {
   return material.mirror || (material.dielectric && !material.diffuse && !material.glossy);
 }
 
+Side sideOfLobe(render::Lobe lobe) { return lobe == render::Lobe::refract ? Side::transmission : Side::reflection; }
+
 }  // namespace
 
-struct PathTracer::Vertex : ShadingFrame {
+// A path up to its current ray.
+struct PathTracer::Path {
+  SampleNumbers& numbers;
+  Counters& counters;
+  Arithmetic& arithmetic;
+  PathNotes& notes;
+  Ray ray;
+  Volumes volumes;
+  std::optional<double> pdf{};  // of the ray's direction; none: delta
+  dvec3 beta{1};                // the throughput
+  dvec3 radiance{0};
+  std::uint32_t depth = 1;  // of the ray
+  bool isShown = true;      // the layers show the next hit
+  double shownDistance = 0;
+
+  VertexNumbers u() const { return VertexNumbers(numbers, depth); }
+};
+
+// The surface at which a ray arrives, and its material there.
+struct PathTracer::Vertex {
+  double distance;
+  Surface surface;
+  SurfaceMaterial material;
+
+  Vertex(const PathTracer& tracer, const Path& path, const Hit& hit)
+      : distance(hit.distance),
+        surface(tracer.surfaceAt(path, hit)),
+        material(tracer.materialAt(surface, path.arithmetic)) {
+    dimEmission(surface, path.ray.direction, material);
+    alignAnisotropy({tracer.scene(), path.arithmetic}, surface, material);
+    tracer.mapLayer(path, *this);
+  }
+};
+
+// The lobes of a vertex in the frame of its shading normal.
+struct PathTracer::Shading : ShadingFrame {
   const Surface& surface;
-  Bsdf bsdf;
+  const Bsdf& bsdf;
+  Arithmetic& arithmetic;
 
-  /// `choice`: nothing if the surface does not disperse light.
-  Vertex(const Surface& at, const SurfaceMaterial& material, const dvec3& rayDirection,
-         const std::optional<ChannelChoice>& choice, Rounding& rounding)
-      : ShadingFrame(at, rayDirection, rounding), surface(at), bsdf(material.bsdf) {
-    if (material.surface) bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone, choice);
+  Shading(const PathTracer& tracer, const Path& path, Vertex& vertex)
+      : Shading(path, vertex, tracer.channelAt(path, vertex.surface)) {}
+
+  // `choice`: nothing if the surface does not disperse light.
+  Shading(const Path& path, Vertex& vertex, const std::optional<ChannelChoice>& choice)
+      : ShadingFrame(vertex.surface, path.ray.direction, path.arithmetic),
+        surface(vertex.surface),
+        bsdf(vertex.material.bsdf),
+        arithmetic(path.arithmetic) {
+    SurfaceMaterial& material = vertex.material;
+    if (material.surface) {
+      material.bsdf.setSurface(*material.surface, wo, surface.fromOutside, material.isCoatAlone, choice);
+    }
   }
 
-  /// Returns f times the cosine for `wi`, which is in the local frame and on this side.
-  BsdfValue valueOf(const dvec3& wi, Side side, Rounding& rounding) const {
-    return rounding.bsdfValue(scatteredValue(bsdf, facets, wo, wi, side), roundingUnits());
+  dvec3 toLocal(const dvec3& world) const { return arithmetic.direction(frame.toLocal(world)); }
+  dvec3 toWorld(const dvec3& local) const { return arithmetic.direction(frame.toWorld(local)); }
+
+  // Returns f times the cosine for `wi`, which is in the local frame and on this side.
+  BsdfValue valueOf(const dvec3& wi, Side side) const {
+    return arithmetic.bsdfValue(scatteredValue(bsdf, facets, wo, wi, side), bsdf.surface());
   }
 
-  /// Returns the bound of the rounding error of f and pdf.
-  double roundingUnits() const {
-    const SurfaceBsdf* const surfaceBsdf = bsdf.surface();
-    if (surfaceBsdf == nullptr) return kRoundingBounds.bsdf;
-    const double sheen = kRoundingBounds.sheen * surfaceBsdf->sheenSteepness();
-    return std::hypot(kRoundingBounds.surface, sheen, kRoundingBounds.film * surfaceBsdf->filmThickness());
-  }
-
-  /// Returns whether `wi`, in world space, is on this side of the geometric normal, too.
+  // Returns whether `wi`, in world space, is on this side of the geometric normal, too.
   bool isOn(Side side, const dvec3& wi) const {
     const double cosine = dot(wi, surface.facingNormal);
     return side == Side::reflection ? cosine > 0 : cosine < 0;
@@ -62,6 +104,19 @@ struct PathTracer::Vertex : ShadingFrame {
     return {surface.position, wi, surface.primitive, surface.outwardNormal, 0, side == Side::transmission,
             surface.contact};
   }
+
+  Scattering sample(VertexNumbers u) const;
+  Scattering sampleSurface(VertexNumbers u) const;
+  Scattering sampleSmooth(render::Lobe lobe, VertexNumbers u) const;
+  Scattering sampleDelta(render::Lobe lobe, VertexNumbers u) const;
+};
+
+// The continuation of a path. A weight of 0 ends it.
+struct PathTracer::Scattering {
+  render::Lobe lobe = render::Lobe::none;
+  dvec3 wi{0};
+  dvec3 weight{0};
+  std::optional<double> pdf;  // none for a delta lobe
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -69,130 +124,98 @@ PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& 
   if (scene.environment) environment_.emplace(*scene.environment);
 }
 
-render::PathTrace PathTracer::trace(const render::PixelSample& sample, std::uint32_t replica) const {
+render::PathTrace PathTracer::trace(const render::PixelSample& sample, Arithmetic& arithmetic) const {
   render::PathTrace trace;
   PathNotes notes(trace);
   Counters uncounted;
   SampleNumbers numbers = numbersOf(sample);
   for (std::uint32_t i = 0; i < trace.cameraNumbers.size(); ++i)
     trace.cameraNumbers[i] = numbers.word(kDimensionFilterX + i);
-  Rounding rounding = roundingOf(sample, replica);
-  notes.finish(tracePath(roundedCameraRay(sample, numbers, rounding), numbers, uncounted, notes, rounding));
+  Path path{numbers, uncounted, arithmetic, notes, cameraRay(sample, numbers, arithmetic), Volumes(scene())};
+  notes.finish(tracePath(path));
   return trace;
 }
 
-dvec3 PathTracer::radiance(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
-                           Rounding& rounding) const {
-  PathNotes notes(outputs.record, outputs.layers);
-  return tracePath(cameraRay, numbers, counters, notes, rounding);
+dvec3 PathTracer::radiance(const Ray& cameraRay, SampleState& state) const {
+  PathNotes notes(state.outputs.record, state.outputs.layers);
+  Path path{state.numbers, state.counters, state.arithmetic, notes, cameraRay, Volumes(scene())};
+  return tracePath(path);
 }
 
-dvec3 PathTracer::tracePath(const Ray& cameraRay, SampleNumbers& numbers, Counters& counters, PathNotes& notes,
-                            Rounding& rounding) const {
-  Ray ray = cameraRay;
-  dvec3 radiance(0);
-  dvec3 beta(1);
-  std::optional<double> pdf;
-  Volumes volumes(scene());
-  bool isShown = true;  // the layers show the next hit
-  double shownDistance = 0;
-  for (std::uint32_t depth = 1;; ++depth) {
-    notes.startVertex(depth, ray, pdf, beta, radiance, numbers);
-    rounding.startVertex(depth, ray);
-    ray.opacityKey = opacityKeyOf(numbers, depth, false);
-    const Hit hit = tracing().closest(ray, counters, rounding);
-    rounding.decide(hit.primitive);
-    const VertexNumbers u(numbers, depth);
-    if (!hit) counters.volumeFaults += volumes.isInside() ? 1 : 0;
-    if (!hit) return radiance + limited(beta * background(ray, pdf, u, rounding), depth - 1);
-    beta *= volumes.transmittance(hit.distance);
-
-    ++counters.vertices;
-    Surface surface = rounding.surfaceAt(scene(), ray, hit);
-    jitterTextures(surface, numbers, depth);
-    rounding.decide(surface.fromOutside);
-    SurfaceMaterial material = materialAt(surface, rounding);
-    dimEmission(surface, ray.direction, material);
-    alignAnisotropy(scene(), surface, material, rounding);
-    mapLayer(ray.direction, u, surface, material, rounding);
-    notes.hit(hit, surface);
-    if (isShown) shownDistance += hit.distance;
-    const bool isSeenThrough = settings_.image.layersThroughSpecular && isPerfect(scene().materials[surface.material]);
-    if (isShown && !isSeenThrough) notes.firstHit(hit, shownDistance, surface, material);
-    isShown = isShown && isSeenThrough;
-    radiance += limited(beta * emission(material, ray, hit.distance, surface, pdf, notes, rounding), depth - 1);
-    notes.scattered(depth - 1, radiance);
-    if (depth == settings_.image.maxDepth) return radiance;
-
-    const Vertex vertex(surface, material, ray.direction, channelAt(surface, beta, u, rounding), rounding);
-    if (vertex.bsdf.hasSmoothLobe() && lights_.canChoose()) {
-      radiance += limited(beta * directLight(vertex, u, volumes, counters, notes, rounding), depth);
-    }
-    const Scattering next = scatter(vertex, u, rounding);
-    rounding.decide(static_cast<std::uint64_t>(next.lobe));
-    notes.lobe(next.lobe);
-    beta *= rounding.relative(next.weight, kRoundingBounds.throughput);
-    if (beta == dvec3(0)) return radiance;
-    notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
-    if (next.lobe == render::Lobe::refract) counters.volumeFaults += volumes.cross(surface) ? 0 : 1;
-
-    if (depth > settings_.image.rouletteStart && !survivesRoulette(beta, u, notes, rounding)) return radiance;
-    ray = vertex.rayTowards(next.wi, next.lobe == render::Lobe::refract ? Side::transmission : Side::reflection);
-    pdf = next.pdf;
-    ++counters.bounceRays;
+dvec3 PathTracer::tracePath(Path& path) const {
+  for (;; ++path.depth) {
+    const Hit hit = arrive(path);
+    if (!hit) break;
+    Vertex vertex(*this, path, hit);
+    noteHit(path, vertex);
+    emit(path, vertex);
+    if (path.depth == settings_.image.maxDepth) break;
+    const Shading shading(*this, path, vertex);
+    light(path, shading);
+    if (!scatter(path, shading) || !roulette(path)) break;
   }
+  return path.radiance;
 }
 
-bool PathTracer::survivesRoulette(dvec3& beta, VertexNumbers u, PathNotes& notes, Rounding& rounding) const {
-  const double survival = rounding.relative(std::min(1.0, std::sqrt(largestOf(beta))), kRoundingBounds.survival);
-  const bool survives = u.roulette() < survival;
-  rounding.decide(survives);
-  notes.roulette(survival, survives);
-  if (survives) beta /= survival;
+Hit PathTracer::arrive(Path& path) const {
+  path.notes.startVertex(path.depth, path.ray, path.pdf, path.beta, path.radiance, path.numbers);
+  path.counters.bounceRays += path.depth > 1 ? 1 : 0;
+  path.ray.opacityKey = opacityKeyOf(path.numbers, path.depth, false);
+  const Hit hit = path.arithmetic.closest(tracing(), path.depth, path.ray, path.counters);
+  if (hit) {
+    ++path.counters.vertices;
+    path.beta *= path.volumes.transmittance(hit.distance);
+  } else {
+    path.counters.volumeFaults += path.volumes.isInside() ? 1 : 0;
+    path.radiance += limited(path.beta * background(path), path.depth - 1);
+  }
+  return hit;
+}
+
+void PathTracer::emit(Path& path, const Vertex& vertex) const {
+  path.radiance += limited(path.beta * emission(path, vertex), path.depth - 1);
+  path.notes.scattered(path.depth - 1, path.radiance);
+}
+
+void PathTracer::light(Path& path, const Shading& shading) const {
+  if (!shading.bsdf.hasSmoothLobe() || !lights_.canChoose()) return;
+  path.radiance += limited(path.beta * directLight(path, shading), path.depth);
+}
+
+bool PathTracer::scatter(Path& path, const Shading& shading) const {
+  const Scattering next = shading.sample(path.u());
+  path.arithmetic.decide(static_cast<std::uint64_t>(next.lobe));
+  path.notes.lobe(next.lobe);
+  path.beta *= path.arithmetic.throughput(next.weight);
+  if (path.beta == dvec3(0)) return false;
+  path.notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
+  const Side side = sideOfLobe(next.lobe);
+  if (side == Side::transmission) path.counters.volumeFaults += path.volumes.cross(shading.surface) ? 0 : 1;
+  path.ray = shading.rayTowards(next.wi, side);
+  path.pdf = next.pdf;
+  return true;
+}
+
+bool PathTracer::roulette(Path& path) const {
+  if (path.depth <= settings_.image.rouletteStart) return true;
+  const double survival = path.arithmetic.survival(std::min(1.0, std::sqrt(largestOf(path.beta))));
+  const bool survives = path.u().roulette() < survival;
+  path.arithmetic.decide(survives);
+  path.notes.roulette(survival, survives);
+  if (survives) path.beta /= survival;
   return survives;
 }
 
-void PathTracer::mapLayer(const dvec3& rayDirection, VertexNumbers u, Surface& surface, SurfaceMaterial& material,
-                          Rounding& rounding) const {
-  const scene::Material& source = scene().materials[surface.material];
-  if (!hasNormalMap(source) || !hasTangents(scene(), scene().primitives[surface.primitive])) return;
-  if (material.surface && material.surface->coatWeight > 0) {
-    Surface coat = surface;
-    applyNormalMap(scene(), scene::TextureSlot::coatNormal, coat, rounding);
-    coat.facetNumber = u.coatFacet();
-    const double cosine = ShadingFrame(coat, rayDirection, rounding).wo.z;
-    material.isCoatAlone = rounding.absolute(u.layer(), kRoundingBounds.choice) <
-                           coatReflectance(material.surface->coatWeight, cosine);
-    rounding.decide(material.isCoatAlone);
-    if (material.isCoatAlone) {
-      surface = coat;
-      return;
-    }
-    material.surface->coatWeight = 0;
-  }
-  applyNormalMap(scene(), scene::TextureSlot::normal, surface, rounding);
-  surface.facetNumber = u.facet();
-}
-
-std::optional<ChannelChoice> PathTracer::channelAt(const Surface& surface, const dvec3& throughput, VertexNumbers u,
-                                                   Rounding& rounding) const {
-  const auto& parameters = scene().materials[surface.material].surface;
-  if (!parameters || !parameters->disperses()) return std::nullopt;
-  const ChannelChoice choice = chooseChannel(throughput, rounding.absolute(u.channel(), kRoundingBounds.choice));
-  rounding.decide(choice.channel);
-  return choice;
-}
-
-dvec3 PathTracer::background(const Ray& ray, std::optional<double> pdf, VertexNumbers u, Rounding& rounding) const {
-  const bool isCameraRay = u.depth == 1;
+dvec3 PathTracer::background(const Path& path) const {
+  const bool isCameraRay = path.depth == 1;
   if (isCameraRay && settings_.image.backdrop == render::Backdrop::colour) return scene().background;
   if (isCameraRay && settings_.image.backdrop == render::Backdrop::none) return dvec3(0);
-  if (!environment_) return background_.radiance(ray.direction);
-  const dvec3 direction = rounding.turned(ray.direction, kRoundingBounds.mapDirection);
-  const EnvironmentMap::Tap tap = environment_->tap(direction, u.tap());
-  rounding.decide(tap.texel);
-  const double lightPdf = rounding.relative(lights_.environmentProbability() * tap.pdf, kRoundingBounds.pdf);
-  return (pdf ? powerHeuristic(*pdf, lightPdf) : 1) * tap.radiance;
+  if (!environment_) return background_.radiance(path.ray.direction);
+  const dvec3 direction = path.arithmetic.mapDirection(path.ray.direction);
+  const EnvironmentMap::Tap tap = environment_->tap(direction, path.u().tap());
+  path.arithmetic.decide(tap.texel);
+  const double lightPdf = path.arithmetic.pdf(lights_.environmentProbability() * tap.pdf);
+  return (path.pdf ? powerHeuristic(*path.pdf, lightPdf) : 1) * tap.radiance;
 }
 
 dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) const {
@@ -201,92 +224,140 @@ dvec3 PathTracer::limited(const dvec3& contribution, std::uint32_t scatterings) 
   return contribution * (limit / std::max(largestOf(contribution), limit));
 }
 
-std::optional<LightSample> PathTracer::sampleLight(std::uint32_t entry, const Surface& surface, VertexNumbers u) const {
-  if (lights_.isEnvironment(entry)) return environment_->sample(u.lightWords(), u.texel());
-  return lights_.sample(entry, surface, u.light());
+Surface PathTracer::surfaceAt(const Path& path, const Hit& hit) const {
+  Surface surface = path.arithmetic.surfaceAt(scene(), path.ray, hit);
+  jitterTextures(surface, path.numbers, path.depth);
+  path.arithmetic.decide(surface.fromOutside);
+  return surface;
 }
 
-dvec3 PathTracer::emission(const SurfaceMaterial& material, const Ray& ray, double distance, const Surface& surface,
-                           std::optional<double> pdf, PathNotes& notes, Rounding& rounding) const {
+void PathTracer::mapLayer(const Path& path, Vertex& vertex) const {
+  auto& [distance, surface, material] = vertex;
+  const scene::Material& source = scene().materials[surface.material];
+  if (!hasNormalMap(source) || !hasTangents(scene(), scene().primitives[surface.primitive])) return;
+  const TextureReader textures{scene(), path.arithmetic};
+  const VertexNumbers u = path.u();
+  if (material.surface && material.surface->coatWeight > 0) {
+    Surface coat = surface;
+    applyNormalMap(textures, scene::TextureSlot::coatNormal, coat);
+    coat.facetNumber = u.coatFacet();
+    const double cosine = ShadingFrame(coat, path.ray.direction, path.arithmetic).wo.z;
+    material.isCoatAlone = path.arithmetic.choice(u.layer()) < coatReflectance(material.surface->coatWeight, cosine);
+    path.arithmetic.decide(material.isCoatAlone);
+    if (material.isCoatAlone) {
+      surface = coat;
+      return;
+    }
+    material.surface->coatWeight = 0;
+  }
+  applyNormalMap(textures, scene::TextureSlot::normal, surface);
+  surface.facetNumber = u.facet();
+}
+
+void PathTracer::noteHit(Path& path, const Vertex& vertex) const {
+  const auto& [distance, surface, material] = vertex;
+  path.notes.hit(distance, surface);
+  if (!path.isShown) return;
+  path.shownDistance += distance;
+  path.isShown = settings_.image.layersThroughSpecular && isPerfect(scene().materials[surface.material]);
+  if (!path.isShown) path.notes.firstHit(path.shownDistance, surface, material);
+}
+
+dvec3 PathTracer::emission(const Path& path, const Vertex& vertex) const {
+  const auto& [distance, surface, material] = vertex;
   if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
-  const double lightPdf = pdf ? rounding.relative(lights_.pdf(ray, distance, surface), kRoundingBounds.pdf) : 0;
-  const double weight = pdf ? powerHeuristic(*pdf, lightPdf) : 1;
+  const double lightPdf = path.pdf ? path.arithmetic.pdf(lights_.pdf(path.ray, distance, surface)) : 0;
+  const double weight = path.pdf ? powerHeuristic(*path.pdf, lightPdf) : 1;
   const dvec3 found = weight * material.emission;
-  notes.emission(found, weight);
+  path.notes.emission(found, weight);
   return found;
 }
 
-dvec3 PathTracer::directLight(const Vertex& vertex, VertexNumbers u, const Volumes& volumes, Counters& counters,
-                              PathNotes& notes, Rounding& rounding) const {
-  const LightChoice choice = lights_.choose(u.lightChoice());
-  notes.lightChoice(choice);
-  std::optional<LightSample> light = rounding.lightSample(sampleLight(choice.entry, vertex.surface, u));
+std::optional<ChannelChoice> PathTracer::channelAt(const Path& path, const Surface& surface) const {
+  const auto& parameters = scene().materials[surface.material].surface;
+  if (!parameters || !parameters->disperses()) return std::nullopt;
+  const ChannelChoice choice = chooseChannel(path.beta, path.arithmetic.choice(path.u().channel()));
+  path.arithmetic.decide(choice.channel);
+  return choice;
+}
+
+std::optional<LightSample> PathTracer::sampleLight(const Path& path, std::uint32_t entry,
+                                                   const Surface& surface) const {
+  const VertexNumbers u = path.u();
+  std::optional<LightSample> light = lights_.isEnvironment(entry) ? environment_->sample(u.lightWords(), u.texel())
+                                                                  : lights_.sample(entry, surface, u.light());
+  if (light) light = path.arithmetic.lightSample(*light);
+  return light;
+}
+
+dvec3 PathTracer::directLight(const Path& path, const Shading& shading) const {
+  const LightChoice choice = lights_.choose(path.u().lightChoice());
+  path.notes.lightChoice(choice);
+  std::optional<LightSample> light = sampleLight(path, choice.entry, shading.surface);
   if (!light) return dvec3(0);
-  light->radiance *= emissionFactor(scene(), *light, vertex.surface, rounding);
-  const dvec3 wi = rounding.turned(vertex.frame.toLocal(light->wi), kRoundingBounds.frame);
-  const Side side = vertex.sideOf(wi);
-  if (!vertex.bsdf.scattersTo(side) || !vertex.isOn(side, light->wi)) return dvec3(0);
-  const BsdfValue bsdf = vertex.valueOf(wi, side, rounding);
+  light->radiance *= emissionFactor({scene(), path.arithmetic}, *light, shading.surface);
+  const dvec3 wi = shading.toLocal(light->wi);
+  const Side side = shading.sideOf(wi);
+  if (!shading.bsdf.scattersTo(side) || !shading.isOn(side, light->wi)) return dvec3(0);
+  const BsdfValue bsdf = shading.valueOf(wi, side);
   if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
-  ++counters.shadowRays;
+  ++path.counters.shadowRays;
   const double lightPdf = choice.probability * light->pdf.value_or(1);
-  Ray shadowRay = vertex.rayTowards(light->wi, side);
-  shadowRay.opacityKey = opacityKeyOf(u.numbers, u.depth, true);
-  const bool occluded = tracing().isOccluded(shadowRay, light->end(), counters, rounding);
-  notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
+  Ray shadowRay = shading.rayTowards(light->wi, side);
+  shadowRay.opacityKey = opacityKeyOf(path.numbers, path.depth, true);
+  const bool occluded = path.arithmetic.isOccluded(tracing(), shadowRay, light->end(), path.counters);
+  path.notes.shadowRay(*light, lightPdf, bsdf.pdf, occluded);
   if (occluded) return dvec3(0);
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
-  Volumes beyond = volumes;
-  if (side == Side::transmission) beyond.cross(vertex.surface);
+  Volumes beyond = path.volumes;
+  if (side == Side::transmission) beyond.cross(shading.surface);
   const dvec3 arriving = bsdf.f * light->radiance * weight / lightPdf * beyond.transmittance(light->distance);
-  notes.lit(weight, arriving);
-  rounding.decideLit(arriving, vertex.facets ? std::abs(dot(light->wi, vertex.surface.facingNormal)) : std::abs(wi.z));
+  path.notes.lit(weight, arriving);
+  path.arithmetic.decideLit(arriving,
+                            shading.facets ? std::abs(dot(light->wi, shading.surface.facingNormal)) : std::abs(wi.z));
   return arriving;
 }
 
-PathTracer::Scattering PathTracer::scatter(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
-  if (vertex.bsdf.isBlack()) return {};
-  if (vertex.bsdf.surface()) return scatterSurface(vertex, u, rounding);
-  const bool mirror = vertex.bsdf.isMirror();
-  const render::Lobe lobe = mirror ? render::Lobe::mirror
-                                   : vertex.bsdf.chooseLobe(rounding.absolute(u.lobe(), kRoundingBounds.choice));
-  if (lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy) return scatterSmooth(vertex, lobe, u, rounding);
-
-  const DeltaSample sample = mirror
-                                 ? vertex.bsdf.sampleMirror(vertex.wo)
-                                 : vertex.bsdf.sampleDielectric(vertex.wo, vertex.surface.fromOutside,
-                                                                rounding.absolute(u.bsdf().x, kRoundingBounds.choice));
-  const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
-  const Side side = sample.lobe == render::Lobe::refract ? Side::transmission : Side::reflection;
-  return {sample.lobe, wi, vertex.isOn(side, wi) ? sample.weight : dvec3(0), std::nullopt};
+PathTracer::Scattering PathTracer::Shading::sample(VertexNumbers u) const {
+  if (bsdf.isBlack()) return {};
+  if (bsdf.surface()) return sampleSurface(u);
+  const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(arithmetic.choice(u.lobe()));
+  const bool isSmooth = lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy;
+  return isSmooth ? sampleSmooth(lobe, u) : sampleDelta(lobe, u);
 }
 
-PathTracer::Scattering PathTracer::scatterSmooth(const Vertex& vertex, render::Lobe lobe, VertexNumbers u,
-                                                 Rounding& rounding) const {
-  const dvec3 local = rounding.sampledDirection(vertex.bsdf.sampleSmooth(lobe, vertex.wo, u.bsdf()));
-  const dvec3 wi = rounding.turned(vertex.frame.toWorld(local), kRoundingBounds.frame);
-  const BsdfValue bsdf = vertex.valueOf(local, sideOf(local), rounding);
-  if (bsdf.pdf == 0 || !vertex.isOn(sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
-  return {lobe, wi, bsdf.f / bsdf.pdf, bsdf.pdf};
+PathTracer::Scattering PathTracer::Shading::sampleDelta(render::Lobe lobe, VertexNumbers u) const {
+  const DeltaSample sample = lobe == render::Lobe::mirror
+                                 ? bsdf.sampleMirror(wo)
+                                 : bsdf.sampleDielectric(wo, surface.fromOutside, arithmetic.choice(u.bsdf().x));
+  const dvec3 wi = toWorld(sample.wi);
+  return {sample.lobe, wi, isOn(sideOfLobe(sample.lobe), wi) ? sample.weight : dvec3(0), std::nullopt};
 }
 
-PathTracer::Scattering PathTracer::scatterSurface(const Vertex& vertex, VertexNumbers u, Rounding& rounding) const {
-  const double choice = rounding.absolute(u.lobe(), kRoundingBounds.surfaceChoice);
-  SurfaceSample sample = vertex.bsdf.surface()->sample(choice, u.bsdf());
-  sample.wi = sample.alpha > 0 ? rounding.microfacetDirection(sample.wi, sample.alpha)
-                               : rounding.sampledDirection(sample.wi);
+PathTracer::Scattering PathTracer::Shading::sampleSmooth(render::Lobe lobe, VertexNumbers u) const {
+  const dvec3 local = arithmetic.sampledDirection(bsdf.sampleSmooth(lobe, wo, u.bsdf()));
+  const dvec3 wi = toWorld(local);
+  const BsdfValue value = valueOf(local, reference::sideOf(local));
+  if (value.pdf == 0 || !isOn(reference::sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
+  return {lobe, wi, value.f / value.pdf, value.pdf};
+}
+
+PathTracer::Scattering PathTracer::Shading::sampleSurface(VertexNumbers u) const {
+  SurfaceSample sample = bsdf.surface()->sample(arithmetic.lobeChoice(u.lobe()), u.bsdf());
+  sample.wi = sample.alpha > 0 ? arithmetic.microfacetDirection(sample.wi, sample.alpha)
+                               : arithmetic.sampledDirection(sample.wi);
   if (!sample.isOnItsSide()) return {};
-  const Side side = sideOf(sample.wi);
-  sample.wi = leavingDirection(vertex.facets, sample);
-  const dvec3 wi = rounding.turned(vertex.frame.toWorld(sample.wi), kRoundingBounds.frame);
-  const BsdfValue bsdf = vertex.valueOf(sample.wi, side, rounding);
-  if (bsdf.pdf == 0) return {};
-  if (!vertex.isOn(side, wi)) return {.lobe = sample.lobe, .pdf = 0.0};
-  return {sample.lobe, wi, bsdf.f / bsdf.pdf, bsdf.pdf};
+  const Side side = reference::sideOf(sample.wi);
+  sample.wi = leavingDirection(facets, sample);
+  const dvec3 wi = toWorld(sample.wi);
+  const BsdfValue value = valueOf(sample.wi, side);
+  if (value.pdf == 0) return {};
+  if (!isOn(side, wi)) return {.lobe = sample.lobe, .pdf = 0.0};
+  return {sample.lobe, wi, value.f / value.pdf, value.pdf};
 }
 
 }  // namespace candela::reference

@@ -26,26 +26,26 @@ void PathNotes::startVertex(std::uint32_t depth, const Ray& ray, std::optional<d
   for (std::uint32_t i = 0; i < vertexTrace_->numbers.size(); ++i) vertexTrace_->numbers[i] = numbers.word(block + i);
 }
 
-void PathNotes::hit(const Hit& hit, const Surface& surface) {
-  if (vertexRecord_) vertexRecord_->primitive = hit.primitive;
+void PathNotes::hit(double distance, const Surface& surface) {
+  if (vertexRecord_) vertexRecord_->primitive = surface.primitive;
   if (!vertexTrace_) return;
-  vertexTrace_->hit = render::HitTrace{.primitive = hit.primitive,
+  vertexTrace_->hit = render::HitTrace{.primitive = surface.primitive,
                                        .material = surface.material,
-                                       .distance = hit.distance,
+                                       .distance = distance,
                                        .position = surface.position,
                                        .normal = surface.facingNormal,
                                        .shadingNormal = surface.shadingNormal,
                                        .fromOutside = surface.fromOutside};
 }
 
-void PathNotes::firstHit(const Hit& hit, double distance, const Surface& surface, const SurfaceMaterial& material) {
+void PathNotes::firstHit(double distance, const Surface& surface, const SurfaceMaterial& material) {
   if (!layers_) return;
   layers_->hit = image::LayerSample::FirstHit{.normal = surface.shadingNormal,
                                               .albedo = material.albedo(),
                                               .depth = distance,
                                               .position = surface.position,
                                               .texCoord = surface.attributes.texCoords[0],
-                                              .primitive = hit.primitive};
+                                              .primitive = surface.primitive};
 }
 
 void PathNotes::scattered(std::uint32_t scatterings, const dvec3& radiance) {

@@ -24,9 +24,9 @@ class PathNotes {
   /// The ray of `depth` starts; `pdf` as in VertexTrace, `radiance` of the path before it.
   void startVertex(std::uint32_t depth, const Ray& ray, std::optional<double> pdf, const dvec3& throughput,
                    const dvec3& radiance, SampleNumbers& numbers);
-  void hit(const Hit& hit, const Surface& surface);
+  void hit(double distance, const Surface& surface);
   /// The layers show this surface, whose normal map is applied. `distance` is the length of the path up to it.
-  void firstHit(const Hit& hit, double distance, const Surface& surface, const SurfaceMaterial& material);
+  void firstHit(double distance, const Surface& surface, const SurfaceMaterial& material);
   /// `radiance` has all light of the path that was scattered `scatterings` times or less.
   void scattered(std::uint32_t scatterings, const dvec3& radiance);
   /// `radiance` is already multiplied by its weight.

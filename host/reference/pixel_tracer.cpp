@@ -58,22 +58,18 @@ void PixelTracer::setCamera(const scene::Camera& camera) {
 
 dvec3 PixelTracer::sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                           SampleOutputs outputs) const {
-  Rounding off;
-  return sample({x, y, sampleIndex}, counters, outputs, off, nullptr);
+  Arithmetic exact;
+  return sample({x, y, sampleIndex}, counters, outputs, exact, nullptr);
 }
 
 dvec3 PixelTracer::sample(const render::PixelSample& sample, Counters& counters, SampleOutputs outputs,
-                          Rounding& rounding, NumberCache* cache) const {
+                          Arithmetic& arithmetic, NumberCache* cache) const {
   SampleNumbers numbers = numbersOf(sample, cache);
-  const Ray ray = roundedCameraRay(sample, numbers, rounding);
+  const Ray ray = cameraRay(sample, numbers, arithmetic);
   ++counters.samples;
   ++counters.cameraRays;
-  return rounding.relative(radiance(ray, numbers, counters, outputs, rounding), kRoundingBounds.radiance);
-}
-
-Rounding PixelTracer::roundingOf(const render::PixelSample& sample, std::uint32_t replica) const {
-  const Words words = pcg4d({sample.x + 65536u * sample.y, sample.index, image_.seed, replica});
-  return Rounding(std::uint64_t{words[0]} << 32 | words[1], replica);
+  SampleState state{numbers, counters, outputs, arithmetic};
+  return arithmetic.radiance(radiance(ray, state));
 }
 
 }  // namespace candela::reference

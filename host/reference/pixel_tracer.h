@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "host/image/layers.h"
+#include "host/reference/arithmetic.h"
 #include "host/reference/camera.h"
 #include "host/reference/ray.h"
-#include "host/reference/rounding.h"
 #include "host/reference/sampler.h"
 #include "host/reference/surface.h"
 #include "host/reference/surface_material.h"
@@ -28,6 +28,14 @@ struct SampleOutputs {
       : record(decisions), layers(layerSample) {}
 };
 
+/// One sample while it is traced.
+struct SampleState {
+  SampleNumbers& numbers;
+  Counters& counters;
+  SampleOutputs outputs;
+  Arithmetic& arithmetic;
+};
+
 /// A scene prepared for rendering by one integrator. Threads share it.
 class PixelTracer {
  public:
@@ -45,20 +53,18 @@ class PixelTracer {
   /// Returns the radiance of one sample of a pixel.
   dvec3 sample(std::uint32_t x, std::uint32_t y, std::uint32_t sampleIndex, Counters& counters,
                SampleOutputs outputs) const;
-  /// Returns the radiance of a sample as a replica sees it: `rounding` perturbs it and takes its decisions. `cache`,
-  /// unless null, has the random numbers of this sample.
-  dvec3 sample(const render::PixelSample& sample, Counters& counters, SampleOutputs outputs, Rounding& rounding,
+  /// Returns the same as another arithmetic computes it. `cache`, unless null, has the random numbers of this sample.
+  dvec3 sample(const render::PixelSample& sample, Counters& counters, SampleOutputs outputs, Arithmetic& arithmetic,
                NumberCache* cache) const;
-  /// The perturbations of replica `replica` of a sample; 0: none, but decisions are recorded.
-  Rounding roundingOf(const render::PixelSample& sample, std::uint32_t replica) const;
+  const scene::Scene& scene() const { return scene_; }
   const Tracing& tracing() const { return tracing_; }
+  std::uint32_t seed() const { return image_.seed; }
 
  protected:
-  const scene::Scene& scene() const { return scene_; }
   /// Integrators obtain materials only from this function, which depends only on the surface point.
-  SurfaceMaterial materialAt(const Surface& surface, Rounding& rounding) const {
+  SurfaceMaterial materialAt(const Surface& surface, Arithmetic& arithmetic) const {
     SurfaceMaterial material = materials_[surface.material];
-    if (variesOverTriangles_) applyTextures(scene_, surface, material, rounding);
+    if (variesOverTriangles_) applyTextures({scene_, arithmetic}, surface, material);
     return material;
   }
   /// Sets the numbers with which the textures of a path's vertex are looked up. `vertex` counts from 1.
@@ -68,14 +74,13 @@ class PixelTracer {
   SampleNumbers numbersOf(const render::PixelSample& sample, NumberCache* cache = nullptr) const {
     return SampleNumbers(sampler_, sample.x, sample.y, sample.index, cache);
   }
-  Ray roundedCameraRay(const render::PixelSample& sample, SampleNumbers& numbers, Rounding& rounding) const {
-    return rounding.cameraRay(camera_.generate(sample.x, sample.y, numbers), originVaries_);
+  Ray cameraRay(const render::PixelSample& sample, SampleNumbers& numbers, Arithmetic& arithmetic) const {
+    return arithmetic.cameraRay(camera_.generate(sample.x, sample.y, numbers), originVaries_);
   }
 
  private:
   /// Returns the integrator's value of a sample whose camera ray is `ray`.
-  virtual dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
-                         Rounding& rounding) const = 0;
+  virtual dvec3 radiance(const Ray& ray, SampleState& state) const = 0;
 
   const scene::Scene& scene_;
   render::ImageSettings image_;

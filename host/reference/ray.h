@@ -1,5 +1,7 @@
 // Rays, and their origin primitives.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -10,6 +12,9 @@ using glm::dvec3;
 
 inline constexpr std::uint32_t kNoPrimitive = 0xffffffffu;
 inline constexpr double kNoHit = std::numeric_limits<double>::infinity();
+
+/// Largest coordinate, without its sign.
+inline double maxNorm(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 /// How a ray has hit its origin primitive: docs/light-transport.md section 4, coincident surfaces.
 enum class Contact : std::uint8_t {

@@ -77,6 +77,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   Stopwatch watch;
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);
+    prepareReplicas(*scene.camera);
     if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene);
     film_ = render::emptyFilm(settings_.image, settings_.image.window().extent());
     empty();
@@ -86,6 +87,10 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   describeStructure(tracer_->tracing(), settings_, prepared_);
   noteCost(scene, settings_, prepared_);
   statistics_ = prepared_;
+}
+
+void ReferenceSession::prepareReplicas(const scene::Camera& camera) {
+  if (settings_.execution.replicas > 0) replicaTracer_.emplace(*tracer_, dvec3(camera.from));
 }
 
 void ReferenceSession::empty() {
@@ -115,6 +120,7 @@ void ReferenceSession::reset(std::uint32_t seed, std::uint32_t sampleCount) {
 
 void ReferenceSession::setCamera(const scene::Camera& camera) {
   tracer_->setCamera(camera);
+  prepareReplicas(camera);
   empty();
 }
 
@@ -145,8 +151,9 @@ bool ReferenceSession::advance(render::SampleRange range, const render::RenderCo
     Stopwatch watch;
     const render::Extent tile = settings_.execution.tile.value_or(kDefaultTile);
     TileJob job(*tracer_, tile, range.end, control,
-                {film_, settings_.image.window(), coverage_.first, paths_, replicas_, settings_.execution.replicas,
-                 settings_.image.hasAlpha(), matteIds_ ? &*matteIds_ : nullptr, mask_});
+                {film_, settings_.image.window(), coverage_.first, paths_, replicas_,
+                 replicaTracer_ ? &*replicaTracer_ : nullptr, settings_.execution.replicas, settings_.image.hasAlpha(),
+                 matteIds_ ? &*matteIds_ : nullptr, mask_});
     addCounters(job.run(statistics_.threads));
     statistics_.seconds["trace"] += watch.lap();
     statistics_.tile = tile;
@@ -181,15 +188,19 @@ std::vector<render::PathTrace> ReferenceSession::replayReplicas(const render::Pi
                                                                 std::uint32_t count) {
   const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
   std::vector<render::PathTrace> traces;
-  if (paths == nullptr || settings_.execution.replicas == 0) return traces;
-  for (std::uint32_t i = 1; i <= count; ++i) traces.push_back(paths->trace(sample, i));
+  if (paths == nullptr || !replicaTracer_) return traces;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    RoundedArithmetic rounded = replicaTracer_->arithmeticOf(sample, i);
+    traces.push_back(paths->trace(sample, rounded));
+  }
   return traces;
 }
 
 render::Replay ReferenceSession::replay(const render::PixelSample& sample) {
   const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
   if (paths == nullptr) throw UsageError("only samples of the path tracer can be replayed");
-  return {paths->trace(sample), prepared_};
+  Arithmetic exact;
+  return {paths->trace(sample, exact), prepared_};
 }
 
 }  // namespace candela::reference

@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "host/reference/replicas.h"
+#include "host/reference/rounding/replicas.h"
 #include "host/render/film_coverage.h"
 #include "host/render/session.h"
 #include "host/scene/object_names.h"
@@ -26,18 +26,20 @@ class ReferenceSession final : public render::Session {
   render::PathRecords paths() override { return paths_; }
   render::ReplicaRecords replicas() override { return replicas_; }
   render::Replica replica(const render::PixelSample& sample, std::uint32_t index) override {
-    return traceReplica(*tracer_, sample, index);
+    return replicaTracer_.value().trace(sample, index);
   }
   std::vector<render::PathTrace> replayReplicas(const render::PixelSample& sample, std::uint32_t count) override;
   render::Replay replay(const render::PixelSample& sample) override;
 
  private:
+  void prepareReplicas(const scene::Camera& camera);
   void empty();
   void addCounters(const Counters& counters);
 
   render::RenderSettings settings_;
   std::unique_ptr<PixelTracer> tracer_;
-  std::optional<scene::MatteIds> matteIds_;  ///< of a render with mattes
+  std::optional<ReplicaTracer> replicaTracer_;  ///< if the settings request replicas
+  std::optional<scene::MatteIds> matteIds_;     ///< of a render with mattes
   image::Film film_;
   render::FilmCoverage coverage_;
   render::PixelMask mask_;

@@ -3,14 +3,13 @@
 
 namespace candela::reference {
 
-ShadingFrame::ShadingFrame(const Surface& surface, const dvec3& rayDirection, Rounding& rounding)
+ShadingFrame::ShadingFrame(const Surface& surface, const dvec3& rayDirection, Arithmetic& arithmetic)
     : frame(surface.shadingNormal, surface.anisotropyDirection),
-      wo(rounding.turned(frame.toLocal(-rayDirection), kRoundingBounds.frame)) {
+      wo(arithmetic.direction(frame.toLocal(-rayDirection))) {
   if (!surface.isMapped) return;
-  facets.emplace(rounding.turned(frame.toLocal(surface.facingNormal), kRoundingBounds.frame));
-  const double number = rounding.absolute(surface.facetNumber, kRoundingBounds.choice);
-  const bool isDirect = number < facets->directProbability(wo);
-  rounding.decide(isDirect);
+  facets.emplace(arithmetic.direction(frame.toLocal(surface.facingNormal)));
+  const bool isDirect = arithmetic.choice(surface.facetNumber) < facets->directProbability(wo);
+  arithmetic.decide(isDirect);
   if (!isDirect) wo = facets->seenByReflection(wo);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <optional>
 
+#include "host/reference/arithmetic.h"
 #include "host/reference/normal_map.h"
 #include "host/reference/sampling.h"
 
@@ -12,8 +13,8 @@ struct ShadingFrame {
   std::optional<NormalMapFacets> facets;  ///< of a surface with a normal map
   dvec3 wo;                               ///< local; as the facet sees it, with a normal map
 
-  /// The frame at a surface that a ray of this direction hits. The choice of a facet becomes a decision of `rounding`.
-  ShadingFrame(const Surface& surface, const dvec3& rayDirection, Rounding& rounding);
+  /// The frame at a surface that a ray of this direction hits. The choice of a facet is a decision.
+  ShadingFrame(const Surface& surface, const dvec3& rayDirection, Arithmetic& arithmetic);
 
   /// Returns the side on which `wi`, which is local, is.
   Side sideOf(const dvec3& wi) const;

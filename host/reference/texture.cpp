@@ -5,8 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "host/reference/rounding.h"
-
 namespace candela::reference {
 namespace {
 
@@ -31,11 +29,6 @@ Texel widened(std::uint32_t texel) {
   Texel channels = 0;
   for (int c = 3; c >= 0; --c) channels = channels << 16 | (texel >> 8 * c & 0xff);
   return channels * 257;
-}
-
-double coordinateError(const glm::vec3& row, const dvec2& scale) {
-  const dvec3 terms = glm::abs(dvec3(row)) * dvec3(scale, 1);
-  return kRoundingBounds.texCoord * kRoundoff * (1 + terms.x + terms.y + terms.z);
 }
 
 std::int64_t remainder(std::int64_t x, std::int64_t period) { return (x % period + period) % period; }
@@ -71,11 +64,6 @@ Texel texelAt(const scene::TextureImage& image, const scene::TextureReference& r
 dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes) {
   const dvec3 uv(attributes.texCoords[reference.texCoordSet], 1);
   return {dot(dvec3(reference.rowS), uv), dot(dvec3(reference.rowT), uv)};
-}
-
-dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttributes& attributes) {
-  const dvec2& scale = attributes.texCoordScale[reference.texCoordSet];
-  return {coordinateError(reference.rowS, scale), coordinateError(reference.rowT, scale)};
 }
 
 double redOf(Texel texel) { return channel(texel, 0) / 65535.0; }

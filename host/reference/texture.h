@@ -24,8 +24,6 @@ Texel texelAt(const scene::TextureImage& image, const scene::TextureReference& r
 
 /// The coordinates (s, t) of a reference at a point with these attributes.
 dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes);
-/// The bounds of the errors of these coordinates in single precision.
-dvec2 coordinateErrors(const scene::TextureReference& reference, const MeshAttributes& attributes);
 
 /// The channels of a texel, 0 to 1.
 double redOf(Texel texel);

@@ -10,20 +10,6 @@
 namespace candela::reference {
 namespace {
 
-// Displaces texture coordinates by a random sign each, if `rounding` does.
-dvec2 randomSigns(Rounding& rounding) {
-  return {rounding.absolute(0, 1 / kRoundoff), rounding.absolute(0, 1 / kRoundoff)};
-}
-
-Texel lookUp(const scene::Scene& scene, const scene::TextureReference& reference, const MeshAttributes& attributes,
-             const dvec2& jitter, Rounding& rounding) {
-  const dvec2 error = randomSigns(rounding) * coordinateErrors(reference, attributes);
-  const dvec2 st = textureCoordinates(reference, attributes) + error;
-  const Texel texel = texelAt(scene.images[reference.image], reference, st, jitter);
-  rounding.decide(texel);
-  return texel;
-}
-
 // Returns the cosine of the sampled direction to the normal of a sphere or triangle that is a light.
 double cosineAtLight(const scene::Scene& scene, const LightSample& light, const Surface& lit) {
   const scene::Primitive& primitive = scene.primitives[light.primitive];
@@ -36,11 +22,10 @@ double cosineAtLight(const scene::Scene& scene, const LightSample& light, const 
 
 // The texels of a surface point's material.
 struct Texels {
-  const scene::Scene& scene;
+  const TextureReader& textures;
   const Surface& surface;
-  Rounding& rounding;
 
-  std::optional<Texel> of(scene::TextureSlot slot) const { return texelOf(scene, surface, slot, rounding); }
+  std::optional<Texel> of(scene::TextureSlot slot) const { return textures.at(surface, slot); }
 };
 
 void scale(float& parameter, double factor) { parameter *= static_cast<float>(factor); }
@@ -81,21 +66,29 @@ void scaleParameters(const Texels& texels, scene::SurfaceParameters& parameters)
 
 }  // namespace
 
-std::optional<Texel> texelOf(const scene::Scene& scene, const Surface& surface, scene::TextureSlot slot,
-                             Rounding& rounding) {
-  const auto& reference = textureOf(scene.materials[surface.material], slot);
-  if (!reference || scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return std::nullopt;
-  return lookUp(scene, *reference, surface.attributes, surface.textureJitter, rounding);
+Texel TextureReader::read(const std::optional<scene::TextureReference>& texture, const MeshAttributes& attributes,
+                          const dvec2& jitter) const {
+  const dvec2 st = arithmetic.texCoords(texture, attributes);
+  const Texel texel = texelAt(scene.images[texture->image], *texture, st, jitter);
+  arithmetic.decide(texel);
+  return texel;
 }
 
-void applyTextures(const scene::Scene& scene, const Surface& surface, SurfaceMaterial& material, Rounding& rounding) {
+std::optional<Texel> TextureReader::at(const Surface& surface, scene::TextureSlot slot) const {
+  const auto& texture = textureOf(scene.materials[surface.material], slot);
+  if (!texture || scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return std::nullopt;
+  return read(texture, surface.attributes, surface.textureJitter);
+}
+
+void applyTextures(const TextureReader& textures, const Surface& surface, SurfaceMaterial& material) {
+  const scene::Scene& scene = textures.scene;
   if (scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return;
   const bool hasColours = !meshOf(scene, scene.primitives[surface.primitive]).colours.empty();
   if (hasColours) material.scaleBaseColour(dvec3(surface.attributes.colour));
   if (coloursOfEmission(scene, scene.primitives[surface.primitive])) {
     material.emission *= dvec3(surface.attributes.colour);
   }
-  const Texels texels{scene, surface, rounding};
+  const Texels texels{textures, surface};
   if (const auto texel = texels.of(scene::TextureSlot::baseColour)) material.scaleBaseColour(linearColour(*texel));
   if (material.surface) scaleParameters(texels, *material.surface);
   if (const auto texel = texels.of(scene::TextureSlot::emission)) material.emission *= linearColour(*texel);
@@ -107,7 +100,8 @@ void dimEmission(const Surface& surface, const dvec3& rayDirection, SurfaceMater
   material.emission *= 1 - coatReflectance(material.surface->coatWeight, cosine);
 }
 
-dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const Surface& lit, Rounding& rounding) {
+dvec3 emissionFactor(const TextureReader& textures, const LightSample& light, const Surface& lit) {
+  const scene::Scene& scene = textures.scene;
   if (light.primitive == kNoPrimitive) return dvec3(1);
   const scene::Primitive& primitive = scene.primitives[light.primitive];
   const dvec2& jitter = lit.lightTextureJitter;
@@ -118,15 +112,16 @@ dvec3 emissionFactor(const scene::Scene& scene, const LightSample& light, const 
     const MeshAttributes attributes = attributesAt(scene, primitive, light.barycentrics, dvec3(0));
     const auto texel = [&](scene::TextureSlot slot) -> std::optional<Texel> {
       const auto& texture = textureOf(material, slot);
-      return texture ? std::optional(lookUp(scene, *texture, attributes, jitter, rounding)) : std::nullopt;
+      return texture ? std::optional(textures.read(texture, attributes, jitter)) : std::nullopt;
     };
     if (const auto emission = texel(scene::TextureSlot::emission)) factor = linearColour(*emission);
     if (coloursOfEmission(scene, primitive)) factor *= dvec3(attributes.colour);
     if (const auto coat = coatWeight > 0 ? texel(scene::TextureSlot::coat) : std::nullopt)
       coatWeight *= static_cast<float>(redOf(*coat));
     if (isTransparent(scene, primitive)) {
-      const double opacity = opacityAt(scene, primitive, attributes, jitter, randomSigns(rounding));
-      rounding.decide(static_cast<std::uint64_t>(std::lround(opacity * 65536)));
+      const dvec2 st = textures.arithmetic.texCoords(material.opacity->texture, attributes);
+      const double opacity = opacityAt(scene, primitive, attributes, st, jitter);
+      textures.arithmetic.decide(static_cast<std::uint64_t>(std::lround(opacity * 65536)));
       factor *= opacity;
     }
   }
@@ -139,7 +134,8 @@ dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& trian
   const bool hasColours = coloursOfEmission(scene, triangle) != nullptr;
   if (!texture && !hasColours) return dvec3(1);
   if (texture) texture->filter = scene::TextureFilter::nearest;
-  Rounding exact;
+  Arithmetic exact;
+  const TextureReader textures{scene, exact};
   constexpr int kParts = 8;
   dvec3 sum(0);
   for (int k = 0; k < 3 * kParts * 3 * kParts; ++k) {
@@ -149,7 +145,7 @@ dvec3 meanEmissionTexel(const scene::Scene& scene, const scene::Primitive& trian
     const dvec2 b(i / (3.0 * kParts), j / (3.0 * kParts));
     const MeshAttributes attributes = attributesAt(scene, triangle, b, dvec3(0));
     const dvec3 colour = hasColours ? dvec3(attributes.colour) : dvec3(1);
-    sum += texture ? colour * linearColour(lookUp(scene, *texture, attributes, dvec2(0), exact)) : colour;
+    sum += texture ? colour * linearColour(textures.read(texture, attributes, dvec2(0))) : colour;
   }
   return sum / double{kParts * kParts};
 }

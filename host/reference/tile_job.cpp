@@ -6,7 +6,6 @@
 
 #include "host/core/divide_up.h"
 #include "host/core/run_on_threads.h"
-#include "host/reference/replicas.h"
 
 namespace candela::reference {
 namespace {
@@ -102,10 +101,10 @@ void TileJob::addIds(std::uint32_t x, std::uint32_t y, const image::LayerSample&
 
 dvec3 TileJob::traceSample(const render::PixelSample& sample, std::size_t pixel, Counters& counters,
                            SampleOutputs outputs) {
+  if (output_.replicaTracer == nullptr) return tracer_.sample(sample.x, sample.y, sample.index, counters, outputs);
   const std::uint32_t count = output_.replicaCount;
-  if (count == 0) return tracer_.sample(sample.x, sample.y, sample.index, counters, outputs);
   render::Replica* const replicas = sample.index > 0 ? nullptr : &output_.replicas.replicas[count * pixel];
-  return traceReplicas(tracer_, sample, count, counters, outputs, output_.replicas.deviations[pixel], replicas);
+  return output_.replicaTracer->trace(sample, count, counters, outputs, output_.replicas.deviations[pixel], replicas);
 }
 
 // Tiles that were finished before do not count as progress.

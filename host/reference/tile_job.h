@@ -5,6 +5,7 @@
 
 #include "host/image/film.h"
 #include "host/reference/pixel_tracer.h"
+#include "host/reference/rounding/replicas.h"
 #include "host/render/replicas.h"
 #include "host/render/session.h"
 #include "host/scene/object_names.h"
@@ -18,7 +19,8 @@ struct JobOutput {
   std::uint32_t firstSample;   ///< index of the first sample of each pixel in the film
   render::PathRecords& paths;  ///< one per pixel for sample 0; empty: none are recorded
   render::ReplicaRecords& replicas;
-  std::uint32_t replicaCount;       ///< 0: none are traced
+  const ReplicaTracer* replicaTracer;  ///< null: no replicas are traced
+  std::uint32_t replicaCount;
   bool countsHits;                  ///< samples whose camera ray hits something are counted
   const scene::MatteIds* matteIds;  ///< null: ids are not counted
   const render::PixelMask& mask;    ///< pixels that get samples

@@ -1,42 +1,16 @@
 // Intersects rays by brute force, through the BVH, and through the grid.
 #include "host/reference/tracing.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
-#include <optional>
-#include <utility>
 
 #include "host/reference/coincidence.h"
 #include "host/reference/opacity.h"
+#include "host/reference/visit_items.h"
 #include "host/scene/coincidence.h"
 
 namespace candela::reference {
 namespace {
-
-// The computed distances of a hit and of the box that contains it may have errors of opposite sign.
-constexpr double kSlack = 1 + 1e-12;
-
-// Twice the relative error of a distance by rounding.
-constexpr double kTie = 2 * kRoundingBounds.hitDistance * kRoundoff;
-
-dvec3 inverseOf(const dvec3& direction) {
-  dvec3 inverse;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double d = direction[axis];
-    inverse[axis] = std::abs(d) > 1e-300 ? 1 / d : std::copysign(1e300, d);  // so that 0 times it is 0
-  }
-  return inverse;
-}
-
-bool intersects(const Bounds& box, const dvec3& origin, const dvec3& inverse, double limit) {
-  const dvec3 a = (box.min - origin) * inverse;
-  const dvec3 b = (box.max - origin) * inverse;
-  const dvec3 low = glm::min(a, b);
-  const dvec3 high = glm::max(a, b);
-  const double entry = std::max(std::max(low.x, low.y), std::max(low.z, 0.0));
-  const double exit = std::min(std::min(high.x, high.y), high.z);
-  return entry <= exit * kSlack && entry <= limit * kSlack;
-}
 
 // Rays of replicas are displaced, and rays that cross a surface hit what coincides with it. Both may hit points outside
 // of a primitive's box, by far less than this.
@@ -107,15 +81,6 @@ struct HitDistance {
     return (dot(ray.direction, normal) < 0) == (dot(ray.direction, ray.originNormal) < 0);
   }
   bool passes(bool isSameSide) const { return isSameSide ? passesSameSide : passesOtherSide; }
-};
-
-// A hit as it is compared with others. Of equal distances, those behind emitters come last, then the higher indices.
-struct Candidate {
-  double distance = kNoHit;
-  bool behind = true;
-  std::uint32_t primitive = kNoPrimitive;
-
-  auto operator<=>(const Candidate&) const = default;
 };
 
 // Returns the cosine of the angle between a ray and the normal of a flat shape that it hits at distance t; 0 for
@@ -200,7 +165,6 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
   if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
-  if (tracesReplicas) prepareReplicas();
 }
 
 void Tracing::setEye(const dvec3& eye) {
@@ -211,12 +175,6 @@ void Tracing::setEye(const dvec3& eye) {
   }
 }
 
-void Tracing::prepareReplicas() {
-  const std::vector<std::uint32_t> firstCopy = scene::firstCopies(*scene_);
-  for (Item& item : items_) item.firstCopy = firstCopy[item.primitive];
-  for (const Item& item : items_) reaches_.push_back(roundingReach(item.shape, eye_));
-}
-
 void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided, bool behind) {
   const scene::Primitive& primitive = scene.primitives[index];
   const scene::Material& material = scene.materials[primitive.material];
@@ -224,7 +182,7 @@ void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSi
   const bool whitted = settings_.image.integrator == render::Integrator::whitted;
   itemOf_[index] = static_cast<std::uint32_t>(items_.size());
   items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), isEmissive(material),
-                    transmits(material, whitted), thinWalled, behind, primitive.material, index, index});
+                    transmits(material, whitted), thinWalled, behind, primitive.material, index});
 }
 
 double Tracing::distance(const Item& item, const Ray& ray) const {
@@ -246,62 +204,8 @@ double Tracing::distance(const Item& item, const Ray& ray) const {
       item.shape);
 }
 
-bool Tracing::passes(const Item& item, const Ray& ray, std::uint64_t word) const {
-  if (!item.transparent) return false;
-  dvec2 errorSign(0);
-  if (word != 0) errorSign = {Rounding::signOf(word, item.primitive), Rounding::signOf(~word, item.primitive)};
-  return !isThere(*scene_, item.primitive, ray, errorSign);
-}
-
-// Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit`
-// returns true.
-template <class Visit>
-void Tracing::visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
-  if (hasHierarchy() && visitHierarchy(ray, limit, counters, visit)) return;
-  const bool throughGrid = hasGrid() && grid_.serves(ray.origin);
-  if (throughGrid && visitGrid(ray, limit, counters, visit)) return;
-  for (std::size_t i = hasGrid() && !throughGrid ? 0 : firstOutside_; i < items_.size(); ++i) {
-    ++counters.traversalSteps;
-    if (visit(items_[i])) return;
-  }
-}
-
-template <class Visit>
-bool Tracing::visitHierarchy(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
-  const dvec3 inverse = inverseOf(ray.direction);
-  std::array<std::uint32_t, Hierarchy::kMaxDepth + 1> stack;
-  std::uint32_t stackSize = 0;
-  stack[stackSize++] = 0;
-  while (stackSize > 0) {
-    const std::uint32_t index = stack[--stackSize];
-    const Node& node = hierarchy_.nodes[index];
-    ++counters.traversalSteps;
-    if (!intersects(node.bounds, ray.origin, inverse, limit)) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      ++counters.traversalSteps;
-      if (visit(items_[i])) return true;
-    }
-    if (node.count > 0) continue;
-    const bool forward = ray.direction[node.axis] >= 0;
-    stack[stackSize++] = forward ? node.first : index + 1;
-    stack[stackSize++] = forward ? index + 1 : node.first;
-  }
-  return false;
-}
-
-// A hit within a cell belongs to an item of the cell. Therefore the closest hit is final once it is before the exit
-// from the cell.
-template <class Visit>
-bool Tracing::visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const {
-  for (GridTraversal traversal(grid_, ray); traversal.isInside(); traversal.advance()) {
-    ++counters.traversalSteps;
-    for (const std::uint32_t item : grid_.itemsOf(traversal.cell())) {
-      ++counters.traversalSteps;
-      if (visit(items_[item])) return true;
-    }
-    if (limit < traversal.exit()) return false;
-  }
-  return false;
+bool Tracing::passes(const Item& item, const Ray& ray) const {
+  return item.transparent && !isThere(*scene_, item.primitive, ray);
 }
 
 double Tracing::comparedDistance(const Item& item, const Ray& ray, double t) const {
@@ -317,11 +221,11 @@ Hit Tracing::closest(const Ray& ray, Counters& counters) const {
   Hit nearest;
   Candidate best;
   visitItems(ray, best.distance, counters, [&](const Item& item) {
-    const double exact = distance(item, ray);
-    const Candidate candidate{comparedDistance(item, ray, exact), item.behind, item.primitive};
-    if (!(candidate < best) || exact == kNoHit || passes(item, ray, 0)) return false;
-    best = candidate;
-    nearest = {exact, item.primitive};
+    const double t = distance(item, ray);
+    const Candidate found = candidate(item, ray, t);
+    if (!(found < best) || t == kNoHit || passes(item, ray)) return false;
+    best = found;
+    nearest = {t, item.primitive};
     return false;
   });
   return nearest;
@@ -340,74 +244,14 @@ std::optional<bool> Tracing::hidesEmitter(const Item& item, double t, const Item
 }
 
 bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {
-  const Item* const light = end.light == kNoPrimitive ? nullptr : &items_[itemOf_[end.light]];
+  const Item* const light = itemOf(end.light);
   bool occluded = false;
   visitItems(ray, end.distance, counters, [&](const Item& item) {
     if (&item == light) return false;
     const double t = distance(item, ray);
-    if (t == kNoHit || passes(item, ray, 0)) return false;
+    if (t == kNoHit || passes(item, ray)) return false;
     const std::optional<bool> hides = light ? hidesEmitter(item, t, *light, distance(*light, ray)) : std::nullopt;
     occluded = hides.value_or(t < end.distance && !containsLight(item, ray, t, end, kLightMargin));
-    return occluded;
-  });
-  return occluded;
-}
-
-dvec3 Tracing::testedOrigin(const Item& item, const dvec3& origin, const dvec3& signs) const {
-  return origin + reaches_[static_cast<std::size_t>(&item - items_.data())].at(origin) * signs;
-}
-
-double Tracing::roundedDistance(const Item& item, double exact, std::uint64_t word) const {
-  return exact * (1 + kTie / 2 * Rounding::signOf(word, item.firstCopy));
-}
-
-Hit Tracing::closest(Ray& ray, Counters& counters, Rounding& rounding) const {
-  if (!rounding.perturbs()) return closest(std::as_const(ray), counters);
-  const dvec3 signs = rounding.signs();
-  const std::uint64_t word = rounding.word();
-  Hit nearest;
-  Candidate best;
-  dvec3 hitOrigin = ray.origin;
-  Ray tested = ray;
-  visitItems(ray, best.distance, counters, [&](const Item& item) {
-    tested.origin = testedOrigin(item, ray.origin, signs);
-    const double exact = distance(item, tested);
-    if (!(exact < best.distance * (1 + kTie))) return false;
-    const double rounded = roundedDistance(item, exact, word);
-    const Candidate candidate{comparedDistance(item, tested, rounded), item.behind, item.primitive};
-    if (!(candidate < best) || passes(item, tested, word)) return false;
-    best = candidate;
-    nearest = {rounded, item.primitive};
-    hitOrigin = tested.origin;
-    return false;
-  });
-  ray.origin = hitOrigin;
-  return nearest;
-}
-
-bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, Rounding& rounding) const {
-  if (!rounding.perturbs()) return isOccluded(ray, end, counters);
-  const dvec3 signs = rounding.signs();
-  const std::uint64_t word = rounding.word();
-  const Item* const light = end.light == kNoPrimitive ? nullptr : &items_[itemOf_[end.light]];
-  bool occluded = false;
-  Ray tested = ray;
-  const auto ofLight = [&] {
-    Ray toLight = ray;
-    toLight.origin = testedOrigin(*light, ray.origin, signs);
-    return roundedDistance(*light, distance(*light, toLight), word);
-  };
-  visitItems(ray, end.distance, counters, [&](const Item& item) {
-    if (&item == light) return false;
-    tested.origin = testedOrigin(item, ray.origin, signs);
-    const double t = distance(item, tested);
-    if (t == kNoHit || passes(item, tested, word)) return false;
-    const std::optional<bool> hides = light ? hidesEmitter(item, roundedDistance(item, t, word), *light, ofLight())
-                                            : std::nullopt;
-    const double sign = Rounding::signOf(word, item.firstCopy);
-    const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
-    occluded = hides.value_or(t < end.distance * (1 - kTie / 2 * sign) &&
-                              !containsLight(item, tested, t, end, fraction));
     return occluded;
   });
   return occluded;

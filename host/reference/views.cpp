@@ -37,14 +37,12 @@ void ViewTracer::setCamera(const scene::Camera& camera) {
   aoDistance_ = aoDistanceOf(camera, askedAoDistance_);
 }
 
-dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
-                           Rounding& rounding) const {
+dvec3 ViewTracer::radiance(const Ray& ray, SampleState& state) const {
+  auto& [numbers, counters, outputs, arithmetic] = state;
   const std::uint64_t stepsBefore = counters.traversalSteps;
-  rounding.startVertex(1, ray);
   Ray tested = ray;
   tested.opacityKey = opacityKeyOf(numbers, 1, false);
-  const Hit hit = tracing().closest(tested, counters, rounding);
-  rounding.decide(hit.primitive);
+  const Hit hit = arithmetic.closest(tracing(), 1, tested, counters);
   const std::uint64_t steps = counters.traversalSteps - stepsBefore;
   if (hit) ++counters.vertices;
 
@@ -53,47 +51,47 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& cou
   if (view_ == render::Integrator::cost) {
     value = dvec3(static_cast<double>(steps));
   } else if (hit) {
-    Surface surface = rounding.surfaceAt(scene(), tested, hit);
+    Surface surface = arithmetic.surfaceAt(scene(), tested, hit);
     jitterTextures(surface, numbers, 1);
     if (view_ == render::Integrator::normal) {
-      applyNormalMap(scene(), scene::TextureSlot::normal, surface, rounding);
+      applyNormalMap({scene(), arithmetic}, scene::TextureSlot::normal, surface);
     }
-    value = valueAt(hit, surface, numbers, counters, vertex, rounding);
+    value = valueAt(hit, surface, state, vertex);
   }
   if (outputs.record) *outputs.record = {.vertexCount = 1, .vertices = {vertex}};
   return value;
 }
 
-dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                          render::VertexRecord& record, Rounding& rounding) const {
+dvec3 ViewTracer::valueAt(const Hit& hit, const Surface& surface, SampleState& state,
+                          render::VertexRecord& record) const {
   switch (view_) {
     case render::Integrator::normal:
       return (ownShadingNormal(surface) + 1.0) / 2.0;
     case render::Integrator::albedo:
-      return materialAt(surface, rounding).albedo();
+      return materialAt(surface, state.arithmetic).albedo();
     case render::Integrator::depth:
       return dvec3(hit.distance);
     case render::Integrator::id:
       return indexColour(hit.primitive);
     default:
-      return dvec3(isOpen(surface, numbers, counters, record, rounding) ? 1 : 0);
+      return dvec3(isOpen(surface, state, record) ? 1 : 0);
   }
 }
 
-bool ViewTracer::isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                        render::VertexRecord& record, Rounding& rounding) const {
+bool ViewTracer::isOpen(const Surface& surface, SampleState& state, render::VertexRecord& record) const {
+  auto& [numbers, counters, outputs, arithmetic] = state;
   constexpr std::uint32_t kFirstVertex = kCameraDimensionCount;
   const dvec2 u(numbers.unit(kFirstVertex + kDimensionBsdfU), numbers.unit(kFirstVertex + kDimensionBsdfV));
-  const dvec3 local = rounding.sampledDirection(sampleCosineHemisphere(u));
-  const dvec3 wi = rounding.turned(Frame(surface.shadingNormal).toWorld(local), kRoundingBounds.frame);
+  const dvec3 local = arithmetic.sampledDirection(sampleCosineHemisphere(u));
+  const dvec3 wi = arithmetic.direction(Frame(surface.shadingNormal).toWorld(local));
   const bool above = dot(wi, surface.facingNormal) > 0;
-  rounding.decide(above);
+  arithmetic.decide(above);
   if (!above) return false;
 
   ++counters.shadowRays;
   const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal, opacityKeyOf(numbers, 1, true)};
-  const bool blocked = tracing().isOccluded(ray, {.distance = aoDistance_}, counters, rounding);
-  rounding.decide(blocked);
+  const bool blocked = arithmetic.isOccluded(tracing(), ray, {.distance = aoDistance_}, counters);
+  arithmetic.decide(blocked);
   record.shadow = blocked ? render::ShadowOutcome::occluded : render::ShadowOutcome::visible;
   return !blocked;
 }

@@ -18,13 +18,10 @@ class ViewTracer final : public PixelTracer {
   void setCamera(const scene::Camera& camera) override;
 
  private:
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
-                 Rounding& rounding) const override;
-  dvec3 valueAt(const Hit& hit, const Surface& surface, SampleNumbers& numbers, Counters& counters,
-                render::VertexRecord& record, Rounding& rounding) const;
+  dvec3 radiance(const Ray& ray, SampleState& state) const override;
+  dvec3 valueAt(const Hit& hit, const Surface& surface, SampleState& state, render::VertexRecord& record) const;
   /// Returns whether the ambient occlusion ray of this sample hits nothing.
-  bool isOpen(const Surface& surface, SampleNumbers& numbers, Counters& counters, render::VertexRecord& record,
-              Rounding& rounding) const;
+  bool isOpen(const Surface& surface, SampleState& state, render::VertexRecord& record) const;
 
   render::Integrator view_;
   std::optional<float> askedAoDistance_;

@@ -15,19 +15,12 @@ dvec3 localColour(const scene::WhittedMaterial& material, const dvec3& normal, c
          material.ks * std::pow(cosH, double{material.shine}) * dvec3(material.specular);
 }
 
+void keep(const render::VertexRecord& vertex, render::PathRecord* record) {
+  if (record && record->vertexCount < render::PathRecord::kRecordedVertices)
+    record->vertices[record->vertexCount++] = vertex;
+}
+
 }  // namespace
-
-struct WhittedTracer::SampleState {
-  SampleNumbers& numbers;
-  Counters& counters;
-  render::PathRecord* record;
-  Rounding& rounding;
-
-  void keep(const render::VertexRecord& vertex) const {
-    if (record && record->vertexCount < render::PathRecord::kRecordedVertices)
-      record->vertices[record->vertexCount++] = vertex;
-  }
-};
 
 struct WhittedTracer::Node {
   Ray ray;
@@ -61,35 +54,29 @@ void WhittedTracer::placeLights(const scene::Camera& camera) {
   }
 }
 
-dvec3 WhittedTracer::radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
-                              Rounding& rounding) const {
-  SampleState state{numbers, counters, outputs.record, rounding};
-  return radianceAt({ray}, state);
-}
+dvec3 WhittedTracer::radiance(const Ray& ray, SampleState& state) const { return radianceAt({ray}, state); }
 
 dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
-  Rounding& rounding = state.rounding;
-  rounding.startVertex(node.number, node.ray);
+  Arithmetic& arithmetic = state.arithmetic;
   Ray ray = node.ray;
-  const Hit hit = tracing().closest(ray, state.counters, rounding);
-  rounding.decide(hit.primitive);
+  const Hit hit = arithmetic.closest(tracing(), node.number, ray, state.counters);
   render::VertexRecord record{.primitive = hit.primitive};
   if (!hit) {
-    state.keep(record);
+    keep(record, state.outputs.record);
     return background_.radiance(ray.direction);
   }
   ++state.counters.vertices;
   if (node.depth == 1) ++state.counters.cameraHits;
-  const Surface surface = rounding.surfaceAt(scene(), ray, hit);
-  rounding.decide(surface.fromOutside);
-  const SurfaceMaterial material = materialAt(surface, rounding);
+  const Surface surface = arithmetic.surfaceAt(scene(), ray, hit);
+  arithmetic.decide(surface.fromOutside);
+  const SurfaceMaterial material = materialAt(surface, arithmetic);
   const scene::WhittedMaterial& whitted = material.whitted.value();
   dvec3 sum = material.emission + double{whitted.ka} * dvec3(whitted.diffuse);
   sum += direct(node, surface, state, record);
-  const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -ray.direction, rounding) : Branches{};
-  rounding.decide(static_cast<std::uint64_t>(branches.lobe));
+  const Branches branches = node.depth < maxDepth_ ? branchesAt(surface, -ray.direction, arithmetic) : Branches{};
+  arithmetic.decide(static_cast<std::uint64_t>(branches.lobe));
   record.lobe = branches.lobe;
-  state.keep(record);
+  keep(record, state.outputs.record);
 
   const auto rayTowards = [&](const dvec3& direction, bool crosses) {
     return Ray{surface.position, direction, surface.primitive, surface.outwardNormal, 0, crosses, surface.contact};
@@ -106,26 +93,26 @@ dvec3 WhittedTracer::radianceAt(const Node& node, SampleState& state) const {
     sum += branches.refracted.factor *
            radianceAt(node.refracted(rayTowards(branches.refracted.direction, true)), state);
   }
-  return rounding.relative(sum, kRoundingBounds.radiance);
+  return arithmetic.radiance(sum);
 }
 
 dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleState& state,
                             render::VertexRecord& record) const {
-  const scene::WhittedMaterial material = materialAt(surface, state.rounding).whitted.value();
+  const scene::WhittedMaterial material = materialAt(surface, state.arithmetic).whitted.value();
   if (material.kd == 0 && material.ks == 0) return dvec3(0);
-  Rounding& rounding = state.rounding;
+  Arithmetic& arithmetic = state.arithmetic;
   dvec3 sum(0);
   for (std::uint32_t i = 0; i < lights_.size(); ++i) {
     const dvec3 point = lightPoint(i, node.number, state.numbers);
     const dvec3 towards = point - surface.position;
-    const double distance = rounding.relative(length(towards), kRoundingBounds.lightDistance);
+    const double distance = arithmetic.lightDistance(length(towards));
     if (distance == 0) continue;
-    const dvec3 wi = rounding.turned(towards / distance, kRoundingBounds.lightDirection);
+    const dvec3 wi = arithmetic.lightDirection(towards / distance);
     if (dot(surface.shadingNormal, wi) <= 0 || dot(surface.facingNormal, wi) <= 0) continue;
 
     ++state.counters.shadowRays;
     const Ray ray{surface.position, wi, surface.primitive, surface.outwardNormal, 0, false, surface.contact};
-    const bool occluded = tracing().isOccluded(ray, {.distance = distance, .point = point}, state.counters, rounding);
+    const bool occluded = arithmetic.isOccluded(tracing(), ray, {.distance = distance, .point = point}, state.counters);
     if (occluded) {
       record.shadow = render::ShadowOutcome::occluded;
       continue;
@@ -134,8 +121,8 @@ dvec3 WhittedTracer::direct(const Node& node, const Surface& surface, SampleStat
     const unsigned seen = record.visibleLights ^ 1u << (i % render::VertexRecord::kRecordedLights);
     record.visibleLights = static_cast<std::uint16_t>(seen);
     const dvec3 colour = localColour(material, surface.shadingNormal, -node.ray.direction, wi);
-    const dvec3 arriving = lights_[i].colour * rounding.relative(colour, kRoundingBounds.bsdf);
-    rounding.decideLit(arriving, dot(surface.shadingNormal, wi));
+    const dvec3 arriving = lights_[i].colour * arithmetic.reflectance(colour);
+    arithmetic.decideLit(arriving, dot(surface.shadingNormal, wi));
     sum += arriving;
   }
   return sum;
@@ -151,21 +138,22 @@ dvec3 WhittedTracer::lightPoint(std::uint32_t light, std::uint32_t node, SampleN
   return position + frame.toWorld({offset(kDimensionLightU), offset(kDimensionLightV), 0});
 }
 
-WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo, Rounding& rounding) const {
-  const scene::WhittedMaterial material = materialAt(surface, rounding).whitted.value();
+WhittedTracer::Branches WhittedTracer::branchesAt(const Surface& surface, const dvec3& wo,
+                                                  Arithmetic& arithmetic) const {
+  const scene::WhittedMaterial material = materialAt(surface, arithmetic).whitted.value();
   if (material.kind == scene::WhittedKind::opaque) return {};
   const dvec3& normal = surface.shadingNormal;
   const double cosine = dot(normal, wo);
   Branches branches;
-  branches.reflected = {rounding.turned(2 * cosine * normal - wo, kRoundingBounds.frame), material.ks};
+  branches.reflected = {arithmetic.direction(2 * cosine * normal - wo), material.ks};
   branches.lobe = render::Lobe::mirror;
   if (material.kind == scene::WhittedKind::glass) {
     const double ior = material.ior;
     const double eta = surface.fromOutside ? 1 / ior : ior;
     const Boundary boundary = fresnel(cosine, eta);
-    branches.reflected.factor = rounding.relative(boundary.reflectance, kRoundingBounds.bsdf);
+    branches.reflected.factor = arithmetic.reflectance(boundary.reflectance);
     const dvec3 refracted = -eta * wo + (eta * cosine - boundary.cosTransmitted) * normal;
-    branches.refracted = {rounding.turned(refracted, kRoundingBounds.frame), 1 - boundary.reflectance};
+    branches.refracted = {arithmetic.direction(refracted), 1 - boundary.reflectance};
     branches.lobe = render::Lobe::reflect;
   }
   if (dot(branches.reflected.direction, surface.facingNormal) <= 0) branches.reflected.factor = 0;

@@ -19,8 +19,6 @@ class WhittedTracer final : public PixelTracer {
   void setCamera(const scene::Camera& camera) override;
 
  private:
-  /// State that is common to all rays of one sample.
-  struct SampleState;
   /// A ray and its position in the tree.
   struct Node;
   /// A spawned ray. If the factor is 0, there is none.
@@ -40,14 +38,13 @@ class WhittedTracer final : public PixelTracer {
     Frame frame;
   };
 
-  dvec3 radiance(const Ray& ray, SampleNumbers& numbers, Counters& counters, SampleOutputs outputs,
-                 Rounding& rounding) const override;
+  dvec3 radiance(const Ray& ray, SampleState& state) const override;
   /// The squares of point lights face the camera's target.
   void placeLights(const scene::Camera& camera);
   dvec3 radianceAt(const Node& node, SampleState& state) const;
   dvec3 direct(const Node& node, const Surface& surface, SampleState& state, render::VertexRecord& record) const;
   dvec3 lightPoint(std::uint32_t light, std::uint32_t node, SampleNumbers& numbers) const;
-  Branches branchesAt(const Surface& surface, const dvec3& wo, Rounding& rounding) const;
+  Branches branchesAt(const Surface& surface, const dvec3& wo, Arithmetic& arithmetic) const;
 
   std::uint32_t maxDepth_;
   double lightSize_;

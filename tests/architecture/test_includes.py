@@ -2,8 +2,8 @@
 """Compares the tables of folders in docs/architecture.md and docs/tiers.md with the #include lines of host/ and shaders/.
 
 Every folder of host/ has a row, which names exactly the folders that its files include; no two folders include each other,
-directly or not. Every folder belongs to a tier, and includes only this tier and those below it. Shaders include only shaders
-and three lists of host/, which docs/tiers.md describes.
+directly or not. Every folder belongs to a tier, and includes only this tier and those below it. The reference's light transport
+does not include its error model. Shaders include only shaders and three lists of host/, which docs/tiers.md describes.
 """
 import re
 import sys
@@ -22,9 +22,10 @@ LISTS = {"image/layer_sum_list.h", "render/lobe_list.h", "scene/primitive_kind_l
 def included_folders():
     """Returns {folder: the other folders that its files include}."""
     found = {folder.name: set() for folder in (ROOT / "host").iterdir() if folder.is_dir()}
-    for file in (ROOT / "host").glob("*/*"):
+    for file in (ROOT / "host").glob("*/**/*"):
         if file.suffix in (".h", ".cpp"):
-            found[file.parent.name] |= set(INCLUDE.findall(file.read_text())) - {file.parent.name}
+            folder = file.relative_to(ROOT / "host").parts[0]
+            found[folder] |= set(INCLUDE.findall(file.read_text())) - {folder}
     return found
 
 
@@ -60,6 +61,13 @@ class Includes(unittest.TestCase):
 
     def test_there_is_no_cycle(self):
         self.assertIn("core", list(TopologicalSorter(included_folders()).static_order()))
+
+
+class Reference(unittest.TestCase):
+    def test_light_transport_does_not_include_the_error_model(self):
+        found = {file.name for file in (ROOT / "host/reference").glob("*.*")
+                 if '#include "host/reference/rounding/' in file.read_text()}
+        self.assertEqual(found, {"reference_session.h", "tile_job.h"})
 
 
 class Tiers(unittest.TestCase):

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "host/reference/tracing.h"
+#include "host/reference/rounding/rounded_arithmetic.h"
 #include "tests/reference/default_settings.h"
 #include "tests/reference/touching_lights.h"
 
@@ -21,6 +21,7 @@ class ShadowRays {
     render::RenderSettings settings = render::defaultSettings();
     settings.execution.replicas = replicas;
     tracing_.emplace(scene, settings);
+    rounded_.emplace(scene, *tracing_, dvec3(scene.camera->from));
   }
 
   int occluded(const dvec3& light, std::uint32_t replica = 0) {
@@ -30,9 +31,11 @@ class ShadowRays {
     for (int i = 0; i < kRays; ++i) {
       const dvec3 from = dvec3(shift_) + dvec3(side(random_), side(random_), 0);
       const double distance = length(light - from);
-      Rounding rounding(static_cast<std::uint64_t>(i), replica);
-      const Ray ray{from, rounding.turned((light - from) / distance, 1)};
-      count += tracing_->isOccluded(ray, {distance, kNoPrimitive, light}, counters_, rounding);
+      RoundedArithmetic rounded(*rounded_, static_cast<std::uint64_t>(i) + replica * (std::uint64_t{1} << 32));
+      Arithmetic exact;
+      Arithmetic& arithmetic = replica > 0 ? rounded : exact;
+      const Ray ray{from, arithmetic.lightDirection((light - from) / distance)};
+      count += arithmetic.isOccluded(*tracing_, ray, {distance, kNoPrimitive, light}, counters_);
     }
     return count;
   }
@@ -41,6 +44,7 @@ class ShadowRays {
  private:
   vec3 shift_;
   std::optional<Tracing> tracing_;
+  std::optional<RoundedTracing> rounded_;
   Counters counters_;
   std::mt19937 random_{1};
 };

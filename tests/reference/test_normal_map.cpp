@@ -33,9 +33,9 @@ scene::Scene mappedTriangle(std::uint32_t texel, float scale) {
 
 Surface surfaceOf(const scene::Scene& scene, double height) {
   const Ray ray{{0, -1, height}, {0, 0, height > 0 ? -1 : 1}};
-  Rounding exact;
+  Arithmetic exact;
   Surface surface = surfaceAt(scene, ray, {std::abs(height), 0});
-  applyNormalMap(scene, scene::TextureSlot::normal, surface, exact);
+  applyNormalMap({scene, exact}, scene::TextureSlot::normal, surface);
   return surface;
 }
 

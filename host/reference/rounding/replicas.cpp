@@ -1,10 +1,12 @@
 // Compares replicas with the exact sample.
-#include "host/reference/replicas.h"
+#include "host/reference/rounding/replicas.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "host/core/hash.h"
 #include "host/image/film.h"
+#include "host/reference/sampler.h"
 
 namespace candela::reference {
 namespace {
@@ -32,7 +34,7 @@ double growthAt(const std::vector<TrailVertex>& a, const std::vector<TrailVertex
   return scale > 0 ? apart / (scale * kRoundoff) : 0;
 }
 
-render::Replica compare(const Rounding& exact, const Rounding& replica, const dvec3& radiance) {
+render::Replica compare(const RecordedArithmetic& exact, const RecordedArithmetic& replica, const dvec3& radiance) {
   const std::vector<TrailVertex>& a = exact.trail();
   const std::vector<TrailVertex>& b = replica.trail();
   const std::size_t count = std::min(a.size(), b.size());
@@ -59,30 +61,35 @@ void add(const render::Replica& replica, const dvec3& exact, render::Deviation& 
 
 }  // namespace
 
-dvec3 traceReplicas(const PixelTracer& tracer, const render::PixelSample& sample, std::uint32_t count,
-                    Counters& counters, SampleOutputs outputs, render::Deviation& deviation,
-                    render::Replica* replicas) {
+dvec3 ReplicaTracer::trace(const render::PixelSample& sample, std::uint32_t count, Counters& counters,
+                           SampleOutputs outputs, render::Deviation& deviation, render::Replica* replicas) const {
   Counters uncounted;
   NumberCache cache;
-  Rounding exact = tracer.roundingOf(sample, 0);
-  const dvec3 radiance = tracer.sample(sample, counters, outputs, exact, &cache);
+  RecordedArithmetic exact;
+  const dvec3 radiance = tracer_.sample(sample, counters, outputs, exact, &cache);
   for (std::uint32_t i = 0; i < count; ++i) {
-    Rounding rounding = tracer.roundingOf(sample, i + 1);
-    const dvec3 value = tracer.sample(sample, uncounted, nullptr, rounding, &cache);
-    const render::Replica replica = compare(exact, rounding, value);
+    RoundedArithmetic rounded = arithmeticOf(sample, i);
+    const dvec3 value = tracer_.sample(sample, uncounted, nullptr, rounded, &cache);
+    const render::Replica replica = compare(exact, rounded, value);
     if (i == 0) add(replica, radiance, deviation);
     if (replicas) replicas[i] = replica;
   }
   return radiance;
 }
 
-render::Replica traceReplica(const PixelTracer& tracer, const render::PixelSample& sample, std::uint32_t index) {
+render::Replica ReplicaTracer::trace(const render::PixelSample& sample, std::uint32_t index) const {
   Counters uncounted;
   NumberCache cache;
-  Rounding exact = tracer.roundingOf(sample, 0);
-  tracer.sample(sample, uncounted, nullptr, exact, &cache);
-  Rounding rounding = tracer.roundingOf(sample, index + 1);
-  return compare(exact, rounding, tracer.sample(sample, uncounted, nullptr, rounding, &cache));
+  RecordedArithmetic exact;
+  tracer_.sample(sample, uncounted, nullptr, exact, &cache);
+  RoundedArithmetic rounded = arithmeticOf(sample, index);
+  return compare(exact, rounded, tracer_.sample(sample, uncounted, nullptr, rounded, &cache));
+}
+
+RoundedArithmetic ReplicaTracer::arithmeticOf(const render::PixelSample& sample, std::uint32_t index) const {
+  const std::uint32_t number = index + 1;
+  const Words words = pcg4d({sample.x + 65536u * sample.y, sample.index, tracer_.seed(), number});
+  return {tracing_, (std::uint64_t{words[0]} << 32 | words[1]) + number * kSplitMixStep};
 }
 
 }  // namespace candela::reference
