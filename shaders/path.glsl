@@ -95,9 +95,11 @@ LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKe
   return sampleLight(light, surface, toUnit(numbers).yz);
 }
 
-// Next-event estimation with one sample of the light table.
-void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading,
-                       Material material, uvec4 numbers, inout Work work) {
+// Stage of the specification: samples one entry of the light table, and prepares the ray that finds whether it is visible.
+// `numbers` are those of the light choice and the three that follow.
+void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading, Material material,
+           uvec4 numbers, inout Work work) {
+  if (!hasSmoothLobe(material)) return;
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
   LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth, work);
@@ -125,10 +127,11 @@ void sampleDirectLight(inout ShadowRay shadow, Path path, SampleKey key, Surface
   bool isFixed = (kHasPointLights || kHasPunctualLights) && lit.delta && light.kind != kLightDirectional;
   Ray ray = shadowRayFrom(surface, lit.wi, transmitted, isFixed, lit.point, distance);
   shadow = ShadowRay(true, ray, RayEnd(distance, light.slot, lit.point), radiance);
+  if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
   noteShadowRay(light, lit, pdf, weight, weighed);
 }
 
-// Samples the next direction. Returns true if the path continues.
+// Stage of the specification: samples the next direction. Returns true if the path continues.
 bool scatter(inout Path path, Surface surface, Shading shading, Material material, float lobeNumber, vec2 numbers,
              inout Decisions decisions) {
   BsdfSample next = sampleBsdf(material, shading.wo, shading.outside, vec3(lobeNumber, numbers));
@@ -154,14 +157,53 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   return continues;
 }
 
-// Plays Russian roulette. Returns true if the path survives. For the same number of rays, the square root of the
+// Stage of the specification: plays Russian roulette. Returns true if the path survives. For the same number of rays, the square root of the
 // throughput gives less noise than the throughput itself (docs/performance-journal.md, "Russian roulette").
-bool survivesRoulette(inout Path path, float number) {
+bool roulette(inout Path path, float number) {
   if (path.depth <= constants.rouletteStart) return true;
   float survival = min(1.0, sqrt(largest(path.throughput)));
   noteRoulette(survival);
   path.throughput /= survival;
   return number < survival;
+}
+
+// Stage of the specification, without the tracing of the ray. Returns true if the ray has hit a surface; if it has not,
+// the path ends in the background.
+bool arrive(inout Path path, Hit hit, SampleKey key, inout RayCounts counts) {
+  counts.bounce += path.depth > 1u ? 1u : 0u;
+  if (hit.t >= kNoHit) {
+    if (kHasVolumes && path.volume != 0u) volumeFaults += 1u;
+    path.radiance += limitedContribution(path.throughput * backgroundFound(path, key), path.depth - 1u);
+    return false;
+  }
+  counts.vertices += 1u;
+  if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
+  return true;
+}
+
+// Returns the material at the surface that the path's ray has hit. `surface` becomes that of the layer which scatters.
+Material materialOf(Path path, SampleKey key, inout Surface surface) {
+  Material material = materialAt(surface);
+  if (kHasEmission && kHasCoat && material.isSurface) {
+    float cosine = abs(dot(surface.outward, path.ray.direction));
+    material.emission *= 1.0 - coatReflectance(material.surface.coatWeight, cosine);
+  }
+  if (kHasAnisotropy) alignAnisotropy(surface, material);
+  if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
+  return material;
+}
+
+// Stage of the specification: adds the emission of the surface.
+void emit(inout Path path, Surface surface, Material material, float t) {
+  vec3 found = path.throughput * emissionFound(path, surface, material, t);
+  path.radiance += limitedContribution(found, path.depth - 1u);
+}
+
+void noteLayers(Path path, Surface surface, Material material, float t) {
+  if ((kLayerSums != 0u || kListsHits && kThroughSpecular) && (path.depth == 1u || kThroughSpecular)) {
+    noteFirstHit(path.ray, surface, material, t, path.depth, path.radiance);
+  }
+  if (kSumsScatteredOnce && path.depth == 2u) noteScatteredOnce(path.radiance);
 }
 
 // Computes everything from the hit of the path's ray to the next ray, except for tracing the shadow ray. Returns true
@@ -170,33 +212,14 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
               out ShadowRay shadow) {
   decisions = Decisions(kRecordMiss, kLobeNone, kShadowNotTraced, true);
   shadow.wanted = false;
-  counts.bounce += path.depth > 1u ? 1u : 0u;
-  if (hit.t >= kNoHit) {
-    if (kHasVolumes && path.volume != 0u) volumeFaults += 1u;
-    path.radiance += limitedContribution(path.throughput * backgroundFound(path, key), path.depth - 1u);
-    return false;
-  }
-  counts.vertices += 1u;
+  if (!arrive(path, hit, key, counts)) return false;
   decisions.index = hit.index;
-  if (kHasVolumes) path.throughput *= volumeTransmittance(path.volume, hit.t);
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
-  Material material = materialAt(surface);
-  if (kHasEmission && kHasCoat && material.isSurface) {
-    float cosine = abs(dot(surface.outward, path.ray.direction));
-    material.emission *= 1.0 - coatReflectance(material.surface.coatWeight, cosine);
-  }
-  if (kHasAnisotropy) alignAnisotropy(surface, material);
-  if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
+  Material material = materialOf(path, key, surface);
   noteSurface(path.ray, surface, hit.t);
-  if (kHasEmission) {
-    vec3 found = path.throughput * emissionFound(path, surface, material, hit.t);
-    path.radiance += limitedContribution(found, path.depth - 1u);
-  }
-  if ((kLayerSums != 0u || kListsHits && kThroughSpecular) && (path.depth == 1u || kThroughSpecular)) {
-    noteFirstHit(path.ray, surface, material, hit.t, path.depth, path.radiance);
-  }
-  if (kSumsScatteredOnce && path.depth == 2u) noteScatteredOnce(path.radiance);
+  if (kHasEmission) emit(path, surface, material, hit.t);
+  noteLayers(path, surface, material, hit.t);
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
@@ -204,19 +227,13 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     chooseChannel(material, path.throughput, channelNumber(key, path.depth));
   }
   prepareLobes(material, shading.wo, shading.outside);
-  float lobeNumber = 0.0;
-  if (kHasLights || kHasMixtures) {
-    uvec4 numbers = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
-    lobeNumber = toUnit(numbers.w);
-    if (kHasLights && hasSmoothLobe(material)) {
-      sampleDirectLight(shadow, path, key, surface, shading, material, numbers, work);
-      if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
-    }
-  }
+  uvec4 choices = uvec4(0u);
+  if (kHasLights || kHasMixtures) choices = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
+  if (kHasLights) light(shadow, path, key, surface, shading, material, choices, work);
   counts.shadow += shadow.wanted ? 1u : 0u;
   vec4 numbers = toUnit(sampleGroup(key, vertexGroup(path.depth, kDimensionBsdfU)));
-  if (!scatter(path, surface, shading, material, lobeNumber, numbers.xy, decisions)) return false;
-  decisions.survived = survivesRoulette(path, numbers.z);
+  if (!scatter(path, surface, shading, material, toUnit(choices.w), numbers.xy, decisions)) return false;
+  decisions.survived = roulette(path, numbers.z);
   path.depth += 1u;
   return decisions.survived;
 }
