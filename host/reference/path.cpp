@@ -5,10 +5,9 @@
 #include <cmath>
 
 #include "host/reference/anisotropy.h"
-#include "host/reference/facet_scattering.h"
 #include "host/reference/path_notes.h"
 #include "host/reference/reflectance.h"
-#include "host/reference/shading_frame.h"
+#include "host/reference/shading.h"
 #include "host/reference/vertex_numbers.h"
 #include "host/reference/volumes.h"
 #include "shaders/shared/dimensions.h"
@@ -27,8 +26,6 @@ bool isPerfect(const scene::Material& material) {
   if (material.surface) return false;
   return material.mirror || (material.dielectric && !material.diffuse && !material.glossy);
 }
-
-Side sideOfLobe(render::Lobe lobe) { return lobe == render::Lobe::refract ? Side::transmission : Side::reflection; }
 
 }  // namespace
 
@@ -62,61 +59,8 @@ struct PathTracer::Vertex {
         material(tracer.materialAt(surface, path.arithmetic)) {
     dimEmission(surface, path.ray.direction, material);
     alignAnisotropy({tracer.scene(), path.arithmetic}, surface, material);
-    tracer.mapLayer(path, *this);
+    mapLayer({tracer.scene(), path.arithmetic}, path.ray.direction, path.u(), surface, material);
   }
-};
-
-// The lobes of a vertex in the frame of its shading normal.
-struct PathTracer::Shading : ShadingFrame {
-  const Surface& surface;
-  const Bsdf& bsdf;
-  Arithmetic& arithmetic;
-
-  Shading(const PathTracer& tracer, const Path& path, Vertex& vertex)
-      : Shading(path, vertex, tracer.channelAt(path, vertex.surface)) {}
-
-  // `choice`: nothing if the surface does not disperse light.
-  Shading(const Path& path, Vertex& vertex, const std::optional<ChannelChoice>& choice)
-      : ShadingFrame(vertex.surface, path.ray.direction, path.arithmetic),
-        surface(vertex.surface),
-        bsdf(vertex.material.bsdf),
-        arithmetic(path.arithmetic) {
-    SurfaceMaterial& material = vertex.material;
-    if (material.surface) {
-      material.bsdf.setSurface(*material.surface, wo, surface.fromOutside, material.isCoatAlone, choice);
-    }
-  }
-
-  dvec3 toLocal(const dvec3& world) const { return arithmetic.direction(frame.toLocal(world)); }
-  dvec3 toWorld(const dvec3& local) const { return arithmetic.direction(frame.toWorld(local)); }
-
-  // Returns f times the cosine for `wi`, which is in the local frame and on this side.
-  BsdfValue valueOf(const dvec3& wi, Side side) const {
-    return arithmetic.bsdfValue(scatteredValue(bsdf, facets, wo, wi, side), bsdf.surface());
-  }
-
-  // Returns whether `wi`, in world space, is on this side of the geometric normal, too.
-  bool isOn(Side side, const dvec3& wi) const {
-    const double cosine = dot(wi, surface.facingNormal);
-    return side == Side::reflection ? cosine > 0 : cosine < 0;
-  }
-  Ray rayTowards(const dvec3& wi, Side side) const {
-    return {surface.position, wi, surface.primitive, surface.outwardNormal, 0, side == Side::transmission,
-            surface.contact};
-  }
-
-  Scattering sample(VertexNumbers u) const;
-  Scattering sampleSurface(VertexNumbers u) const;
-  Scattering sampleSmooth(render::Lobe lobe, VertexNumbers u) const;
-  Scattering sampleDelta(render::Lobe lobe, VertexNumbers u) const;
-};
-
-// The continuation of a path. A weight of 0 ends it.
-struct PathTracer::Scattering {
-  render::Lobe lobe = render::Lobe::none;
-  dvec3 wi{0};
-  dvec3 weight{0};
-  std::optional<double> pdf;  // none for a delta lobe
 };
 
 PathTracer::PathTracer(const scene::Scene& scene, const render::RenderSettings& settings)
@@ -150,7 +94,8 @@ dvec3 PathTracer::tracePath(Path& path) const {
     noteHit(path, vertex);
     emit(path, vertex);
     if (path.depth == settings_.image.maxDepth) break;
-    const Shading shading(*this, path, vertex);
+    const Shading shading(vertex.surface, vertex.material, path.ray.direction, channelAt(path, vertex.surface),
+                          path.arithmetic);
     light(path, shading);
     if (!scatter(path, shading) || !roulette(path)) break;
   }
@@ -178,7 +123,7 @@ void PathTracer::emit(Path& path, const Vertex& vertex) const {
 }
 
 void PathTracer::light(Path& path, const Shading& shading) const {
-  if (!shading.bsdf.hasSmoothLobe() || !lights_.canChoose()) return;
+  if (!shading.bsdf().hasSmoothLobe() || !lights_.canChoose()) return;
   path.radiance += limited(path.beta * directLight(path, shading), path.depth);
 }
 
@@ -189,9 +134,9 @@ bool PathTracer::scatter(Path& path, const Shading& shading) const {
   path.beta *= path.arithmetic.throughput(next.weight);
   if (path.beta == dvec3(0)) return false;
   path.notes.scattering({next.lobe, next.wi, next.pdf.value_or(0), next.weight});
-  const Side side = sideOfLobe(next.lobe);
-  if (side == Side::transmission) path.counters.volumeFaults += path.volumes.cross(shading.surface) ? 0 : 1;
-  path.ray = shading.rayTowards(next.wi, side);
+  const bool isRefracted = next.side() == Side::transmission;
+  if (isRefracted) path.counters.volumeFaults += path.volumes.cross(shading.surface()) ? 0 : 1;
+  path.ray = shading.rayTowards(next.wi, next.side());
   path.pdf = next.pdf;
   return true;
 }
@@ -229,29 +174,6 @@ Surface PathTracer::surfaceAt(const Path& path, const Hit& hit) const {
   jitterTextures(surface, path.numbers, path.depth);
   path.arithmetic.decide(surface.fromOutside);
   return surface;
-}
-
-void PathTracer::mapLayer(const Path& path, Vertex& vertex) const {
-  auto& [distance, surface, material] = vertex;
-  const scene::Material& source = scene().materials[surface.material];
-  if (!hasNormalMap(source) || !hasTangents(scene(), scene().primitives[surface.primitive])) return;
-  const TextureReader textures{scene(), path.arithmetic};
-  const VertexNumbers u = path.u();
-  if (material.surface && material.surface->coatWeight > 0) {
-    Surface coat = surface;
-    applyNormalMap(textures, scene::TextureSlot::coatNormal, coat);
-    coat.facetNumber = u.coatFacet();
-    const double cosine = ShadingFrame(coat, path.ray.direction, path.arithmetic).wo.z;
-    material.isCoatAlone = path.arithmetic.choice(u.layer()) < coatReflectance(material.surface->coatWeight, cosine);
-    path.arithmetic.decide(material.isCoatAlone);
-    if (material.isCoatAlone) {
-      surface = coat;
-      return;
-    }
-    material.surface->coatWeight = 0;
-  }
-  applyNormalMap(textures, scene::TextureSlot::normal, surface);
-  surface.facetNumber = u.facet();
 }
 
 void PathTracer::noteHit(Path& path, const Vertex& vertex) const {
@@ -295,12 +217,12 @@ std::optional<LightSample> PathTracer::sampleLight(const Path& path, std::uint32
 dvec3 PathTracer::directLight(const Path& path, const Shading& shading) const {
   const LightChoice choice = lights_.choose(path.u().lightChoice());
   path.notes.lightChoice(choice);
-  std::optional<LightSample> light = sampleLight(path, choice.entry, shading.surface);
+  std::optional<LightSample> light = sampleLight(path, choice.entry, shading.surface());
   if (!light) return dvec3(0);
-  light->radiance *= emissionFactor({scene(), path.arithmetic}, *light, shading.surface);
+  light->radiance *= emissionFactor({scene(), path.arithmetic}, *light, shading.surface());
   const dvec3 wi = shading.toLocal(light->wi);
   const Side side = shading.sideOf(wi);
-  if (!shading.bsdf.scattersTo(side) || !shading.isOn(side, light->wi)) return dvec3(0);
+  if (!shading.bsdf().scattersTo(side) || !shading.isOn(side, light->wi)) return dvec3(0);
   const BsdfValue bsdf = shading.valueOf(wi, side);
   if (bsdf.f * light->radiance == dvec3(0)) return dvec3(0);
 
@@ -314,50 +236,12 @@ dvec3 PathTracer::directLight(const Path& path, const Shading& shading) const {
 
   const double weight = light->pdf ? powerHeuristic(lightPdf, bsdf.pdf) : 1;
   Volumes beyond = path.volumes;
-  if (side == Side::transmission) beyond.cross(shading.surface);
+  if (side == Side::transmission) beyond.cross(shading.surface());
   const dvec3 arriving = bsdf.f * light->radiance * weight / lightPdf * beyond.transmittance(light->distance);
   path.notes.lit(weight, arriving);
   path.arithmetic.decideLit(arriving,
-                            shading.facets ? std::abs(dot(light->wi, shading.surface.facingNormal)) : std::abs(wi.z));
+                            shading.facets ? std::abs(dot(light->wi, shading.surface().facingNormal)) : std::abs(wi.z));
   return arriving;
-}
-
-PathTracer::Scattering PathTracer::Shading::sample(VertexNumbers u) const {
-  if (bsdf.isBlack()) return {};
-  if (bsdf.surface()) return sampleSurface(u);
-  const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(arithmetic.choice(u.lobe()));
-  const bool isSmooth = lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy;
-  return isSmooth ? sampleSmooth(lobe, u) : sampleDelta(lobe, u);
-}
-
-PathTracer::Scattering PathTracer::Shading::sampleDelta(render::Lobe lobe, VertexNumbers u) const {
-  const DeltaSample sample = lobe == render::Lobe::mirror
-                                 ? bsdf.sampleMirror(wo)
-                                 : bsdf.sampleDielectric(wo, surface.fromOutside, arithmetic.choice(u.bsdf().x));
-  const dvec3 wi = toWorld(sample.wi);
-  return {sample.lobe, wi, isOn(sideOfLobe(sample.lobe), wi) ? sample.weight : dvec3(0), std::nullopt};
-}
-
-PathTracer::Scattering PathTracer::Shading::sampleSmooth(render::Lobe lobe, VertexNumbers u) const {
-  const dvec3 local = arithmetic.sampledDirection(bsdf.sampleSmooth(lobe, wo, u.bsdf()));
-  const dvec3 wi = toWorld(local);
-  const BsdfValue value = valueOf(local, reference::sideOf(local));
-  if (value.pdf == 0 || !isOn(reference::sideOf(local), wi)) return {.lobe = lobe, .pdf = 0.0};
-  return {lobe, wi, value.f / value.pdf, value.pdf};
-}
-
-PathTracer::Scattering PathTracer::Shading::sampleSurface(VertexNumbers u) const {
-  SurfaceSample sample = bsdf.surface()->sample(arithmetic.lobeChoice(u.lobe()), u.bsdf());
-  sample.wi = sample.alpha > 0 ? arithmetic.microfacetDirection(sample.wi, sample.alpha)
-                               : arithmetic.sampledDirection(sample.wi);
-  if (!sample.isOnItsSide()) return {};
-  const Side side = reference::sideOf(sample.wi);
-  sample.wi = leavingDirection(facets, sample);
-  const dvec3 wi = toWorld(sample.wi);
-  const BsdfValue value = valueOf(sample.wi, side);
-  if (value.pdf == 0) return {};
-  if (!isOn(side, wi)) return {.lobe = sample.lobe, .pdf = 0.0};
-  return {sample.lobe, wi, value.f / value.pdf, value.pdf};
 }
 
 }  // namespace candela::reference

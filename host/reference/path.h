@@ -6,6 +6,7 @@
 #include "host/reference/environment_map.h"
 #include "host/reference/lights.h"
 #include "host/reference/pixel_tracer.h"
+#include "host/reference/shading.h"
 #include "host/reference/surface.h"
 #include "host/render/settings.h"
 #include "host/scene/scene.h"
@@ -23,8 +24,6 @@ class PathTracer final : public PixelTracer {
  private:
   struct Path;
   struct Vertex;
-  struct Shading;
-  struct Scattering;
 
   dvec3 radiance(const Ray& ray, SampleState& state) const override;
   dvec3 tracePath(Path& path) const;
@@ -47,9 +46,6 @@ class PathTracer final : public PixelTracer {
   /// Returns a contribution to the path, which is darkened if light that was scattered `scatterings` times has a limit.
   dvec3 limited(const dvec3& contribution, std::uint32_t scatterings) const;
   Surface surfaceAt(const Path& path, const Hit& hit) const;
-  /// Turns the shading normal of a surface whose material, or whose coat, has a normal map. If it has a coat, one layer
-  /// is chosen, and the material becomes this layer.
-  void mapLayer(const Path& path, Vertex& vertex) const;
   /// Notes a hit, also for the layers if they show it.
   void noteHit(Path& path, const Vertex& vertex) const;
   dvec3 emission(const Path& path, const Vertex& vertex) const;
