@@ -127,7 +127,7 @@ void PathTracer::light(Path& path, const Shading& shading) const {
   path.radiance += limited(path.beta * directLight(path, shading), path.depth);
 }
 
-bool PathTracer::scatter(Path& path, const Shading& shading) const {
+bool PathTracer::scatter(Path& path, const Shading& shading) {
   const Scattering next = shading.sample(path.u());
   path.arithmetic.decide(static_cast<std::uint64_t>(next.lobe));
   path.notes.lobe(next.lobe);

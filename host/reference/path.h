@@ -37,7 +37,7 @@ class PathTracer final : public PixelTracer {
   /// Adds the light of one entry of the light table.
   void light(Path& path, const Shading& shading) const;
   /// Chooses the next ray. Returns false if the path has ended.
-  bool scatter(Path& path, const Shading& shading) const;
+  static bool scatter(Path& path, const Shading& shading);
   /// Plays Russian roulette. Returns false if the path has ended.
   bool roulette(Path& path) const;
 
