@@ -17,6 +17,7 @@ install(EXPORT candela NAMESPACE candela:: FILE candelaTargets.cmake DESTINATION
 foreach(layer ${CANDELA_LIBRARY_LAYERS})
   install(DIRECTORY host/${layer} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela/host COMPONENT development FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(DIRECTORY lists DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela COMPONENT development FILES_MATCHING PATTERN "*.h")
 
 # The libraries that host/gltf was built with, if any.
 set(CANDELA_DECODER_DEPENDENCIES "")

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Fails if a C++ file of host/ or tests/ is not formatted as by clang-format 14, and names the file. Other versions format
+# Fails if a C++ file of host/, lists/ or tests/ is not formatted as by clang-format 14, and names the file. Other versions format
 # differently: without version 14 nothing is checked, and the exit code is 77, which ctest reports as a skipped test.
 #   sh cmake/check_format.sh         checks
 #   sh cmake/check_format.sh --fix   rewrites the files instead
@@ -23,4 +23,4 @@ if [ "${1-}" = --fix ]; then
 else
   set -- --dry-run --Werror --ferror-limit=1
 fi
-find host tests \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' \) -exec "$formatter" "$@" {} +
+find host lists tests \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' \) -exec "$formatter" "$@" {} +

@@ -1,8 +1,9 @@
 // The specialisation constants by name, and constants that are derived from them.
 #ifndef CANDELA_OPTIONS_GLSL
 #define CANDELA_OPTIONS_GLSL
-#include "../host/image/layer_sum_list.h"
-#include "shared/features.h"
+#include "../lists/features.h"
+#include "../lists/layer_sums.h"
+#include "../lists/primitive_kinds.h"
 #include "shared/scene_rows.h"
 #include "shared/specialization.h"
 

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "shaders/shared/features.h"
+#include "lists/features.h"
 #include "shaders/shared/specialization.h"
 
 namespace candela::device {

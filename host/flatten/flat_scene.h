@@ -10,7 +10,7 @@
 #include "host/flatten/small_scene.h"
 #include "host/render/choices_in_use.h"
 #include "host/scene/scene.h"
-#include "shaders/shared/features.h"
+#include "lists/features.h"
 #include "shaders/shared/render_data.h"
 #include "shaders/shared/specialization.h"
 

@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host/image/layer_sum_list.h"
 #include "host/image/mattes.h"
+#include "lists/layer_sums.h"
 
 namespace candela::image {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host/render/lobe_list.h"
+#include "lists/lobes.h"
 
 namespace candela::render {
 

@@ -11,7 +11,7 @@
 #include "host/scene/environment.h"
 #include "host/scene/material.h"
 #include "host/scene/mesh.h"
-#include "host/scene/primitive_kind_list.h"
+#include "lists/primitive_kinds.h"
 
 namespace candela::scene {
 

@@ -2,7 +2,7 @@
 // counters.
 #ifndef CANDELA_SHARED_RENDER_DATA_H
 #define CANDELA_SHARED_RENDER_DATA_H
-#include "features.h"
+#include "../../lists/lobes.h"
 #include "language.h"
 CANDELA_BEGIN
 

@@ -3,7 +3,7 @@
 // because "record" alone is a path record (render_data.h).
 #ifndef CANDELA_SHARED_SCENE_ROWS_H
 #define CANDELA_SHARED_SCENE_ROWS_H
-#include "features.h"
+#include "../../lists/primitive_kinds.h"
 #include "language.h"
 CANDELA_BEGIN
 

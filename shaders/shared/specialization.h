@@ -1,4 +1,4 @@
-// Ids of the specialisation constants, except for those of the feature flags, which are in features.h.
+// Ids of the specialisation constants, except for those of the feature flags, which are in lists/features.h.
 #ifndef CANDELA_SHARED_SPECIALIZATION_H
 #define CANDELA_SHARED_SPECIALIZATION_H
 #include "language.h"

@@ -10,7 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 SUFFIXES = {".h", ".cpp", ".c", ".glsl", ".comp", ".vert", ".frag"}
-FOLDERS = ("host", "shaders", "tests")
+FOLDERS = ("host", "lists", "shaders", "tests")
 # Rule 1. "As" begins a comment such as "As that of the base class.", which has no subject, either.
 WITHOUT_SUBJECT = re.compile(r"(?:Of|What|That|So many|And|As)\b")
 WHOLE_LINE = re.compile(r"\s*//[/!]?<? ?")

@@ -38,15 +38,15 @@ def free_id(features):
 
 def apply_recipes(folder):
     """Copies the sources, and adds a flag, a kind of primitives with its flag, and a lobe."""
-    for name in ("host", "shaders"):
+    for name in ("host", "lists", "shaders"):
         shutil.copytree(ROOT / name, folder / name)
-    features = folder / "shaders/shared/features.h"
+    features = folder / "lists/features.h"
     flag_id = free_id(features)
     append_entry(features, "CANDELA_FEATURES", f"X(newFlag, kHasNewFlag, {flag_id})")
     append_entry(features, "CANDELA_FEATURES", f"X(newKinds, kHasNewKinds, {KIND_FLAG_ID})")
-    append_entry(folder / "host/scene/primitive_kind_list.h", "CANDELA_PRIMITIVE_KINDS",
+    append_entry(folder / "lists/primitive_kinds.h", "CANDELA_PRIMITIVE_KINDS",
                  "X(newKind, newKinds, kKindNew, 5u, kHasNewKinds)")
-    append_entry(folder / "host/render/lobe_list.h", "CANDELA_LOBES", "X(newLobe, kLobeNew, 8u)")
+    append_entry(folder / "lists/lobes.h", "CANDELA_LOBES", "X(newLobe, kLobeNew, 8u)")
     return flag_id
 
 
@@ -74,7 +74,7 @@ def named_things(page):
     """Returns the code spans of a page that are names of files, functions or constants, without placeholders."""
     spans = {span for span in re.findall(r"`([^`\n]+)`", page) if "..." not in span and "NAME" not in span}
     files = {span for span in spans if re.fullmatch(r"[\w/]+\.(?:cpp|h|glsl|comp|md|toml|py|txt)", span)}
-    folders = {span for span in spans if re.fullmatch(r"(?:host|shaders|tests|scenes)/[\w/]*", span)}
+    folders = {span for span in spans if re.fullmatch(r"(?:host|lists|shaders|tests|scenes)/[\w/]*", span)}
     words = {span.removesuffix("()").split("::")[-1] for span in spans
              if re.fullmatch(r"[\w:]+\(\)|(?:\w+::)+\w+|k[A-Z]\w+|CANDELA_\w+", span)}
     return files, folders, words
@@ -84,7 +84,7 @@ class Page(unittest.TestCase):
     def test_everything_that_is_named_exists(self):
         files, folders, words = named_things((ROOT / "docs/extending.md").read_text())
         self.assertTrue(len(files) > 50 and len(words) > 30, (files, words))
-        sources = [file for name in ("host", "shaders", "tests", "docs", "scenes") for file in (ROOT / name).rglob("*")]
+        sources = [file for name in ("host", "lists", "shaders", "tests", "docs", "scenes") for file in (ROOT / name).rglob("*")]
         names = {file.name for file in sources}
         code = {word for file in sources if file.suffix in (".h", ".cpp", ".glsl", ".comp", ".txt")
                 for word in re.findall(r"\w+", file.read_text())}

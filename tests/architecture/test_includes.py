@@ -3,7 +3,7 @@
 
 Every folder of host/ has a row, which names exactly the folders that its files include; no two folders include each other,
 directly or not. Every folder belongs to a tier, and includes only this tier and those below it. The reference's light transport
-does not include its error model. Shaders include only shaders and three lists of host/, which docs/tiers.md describes.
+does not include its error model. Shaders include only shaders and lists, and lists include only lists.
 """
 import re
 import sys
@@ -16,7 +16,6 @@ INCLUDE = re.compile(r'^\s*#\s*include "host/(\w+)/', re.MULTILINE)
 ROW = re.compile(r"^\| `host/(\w+)` \| .* \| (.*) \|$", re.MULTILINE)
 TIER = re.compile(r"^\| (\w+) \| ([\w, ]+) \| .* \|$", re.MULTILINE)
 QUOTED = re.compile(r'^\s*#\s*include "([^"]+)"', re.MULTILINE)
-LISTS = {"image/layer_sum_list.h", "render/lobe_list.h", "scene/primitive_kind_list.h"}
 
 
 def included_folders():
@@ -83,15 +82,22 @@ class Tiers(unittest.TestCase):
         included["image"].add("reference")
         self.assertEqual(above(included), {("image", "reference")})
 
-    def test_shaders_include_only_shaders_and_lists(self):
-        for file in (ROOT / "shaders").rglob("*.*"):
+    def check_root_folders(self, including, permitted):
+        """Every file of a folder of the root includes only files of the permitted folders."""
+        files = list((ROOT / including).rglob("*.*"))
+        self.assertGreater(len(files), 3)
+        for file in files:
             for name in QUOTED.findall(file.read_text()):
                 found = [folder / name for folder in (file.parent, ROOT / "shaders") if (folder / name).exists()]
                 with self.subTest(file=file.name, include=name):
                     self.assertTrue(found, "no such file")
-                    path = found[0].resolve()
-                    is_list = path.is_relative_to(ROOT / "host") and str(path.relative_to(ROOT / "host")) in LISTS
-                    self.assertTrue(is_list or path.is_relative_to(ROOT / "shaders"))
+                    self.assertIn(found[0].resolve().relative_to(ROOT).parts[0], permitted)
+
+    def test_shaders_include_only_shaders_and_lists(self):
+        self.check_root_folders("shaders", ("shaders", "lists"))
+
+    def test_lists_include_only_lists(self):
+        self.check_root_folders("lists", ("lists",))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,6 @@
-// The list of the sums from which layers are computed. The shaders read it as well, but it is in this folder because
-// the reference tracer includes nothing of the shaders.
-#ifndef CANDELA_IMAGE_LAYER_SUM_LIST_H
-#define CANDELA_IMAGE_LAYER_SUM_LIST_H
+// The list of the sums from which layers are computed.
+#ifndef CANDELA_LISTS_LAYER_SUMS_H
+#define CANDELA_LISTS_LAYER_SUMS_H
 
 // X(image::LayerSum, whether a kernel has it in GLSL, its first record of a pixel in GLSL, bit in the mask of sums,
 // number of channels). The channels of a pixel are stored in this order, after one header. docs/layers.md.

@@ -1,14 +1,11 @@
-// Lists of names that GLSL and C++ share: the feature flags of a scene, and in the included files the kinds of primitives
-// and the lobes of materials. Each list is a macro that applies its argument to every entry; both languages generate
-// their declarations from it. A macro needs no generator in the build or in an installed header, and messages of both
-// compilers point to these files.
-#ifndef CANDELA_SHARED_FEATURES_H
-#define CANDELA_SHARED_FEATURES_H
-#include "../../host/render/lobe_list.h"
-#include "../../host/scene/primitive_kind_list.h"
+// The list of the feature flags of a scene. Every file of this folder is a list of names that GLSL and C++ share, as a
+// macro that applies its argument to every entry; both languages generate their declarations from it. A macro needs no
+// generator in the build or in an installed header, and messages of both compilers point to these files.
+#ifndef CANDELA_LISTS_FEATURES_H
+#define CANDELA_LISTS_FEATURES_H
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in specialization.h; id 96 is free.
+// use are compiled out. Other ids are in shaders/shared/specialization.h; id 96 is free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \

@@ -1,7 +1,6 @@
-// The list of the lobes of materials. The shaders read it as well, but it is in this folder because the reference
-// tracer includes nothing of the shaders.
-#ifndef CANDELA_RENDER_LOBE_LIST_H
-#define CANDELA_RENDER_LOBE_LIST_H
+// The list of the lobes of materials.
+#ifndef CANDELA_LISTS_LOBES_H
+#define CANDELA_LISTS_LOBES_H
 
 // X(render::Lobe, constant in GLSL, value in both, which path records contain). `none`: the path ends before the
 // choice.

@@ -1,10 +1,9 @@
-// The list of the kinds of primitives. The shaders read it as well, but it is in this folder because the reference
-// tracer includes the scene and nothing of the shaders.
-#ifndef CANDELA_SCENE_PRIMITIVE_KIND_LIST_H
-#define CANDELA_SCENE_PRIMITIVE_KIND_LIST_H
+// The list of the kinds of primitives.
+#ifndef CANDELA_LISTS_PRIMITIVE_KINDS_H
+#define CANDELA_LISTS_PRIMITIVE_KINDS_H
 
 // X(scene::PrimitiveKind, member of flatten::SceneFeatures, constant in GLSL, value in both, flag in GLSL). The values
-// are at most kKindMask - 1; the member and the flag are an entry of CANDELA_FEATURES in shaders/shared/features.h.
+// are at most kKindMask - 1; the member and the flag are an entry of CANDELA_FEATURES in features.h.
 #define CANDELA_PRIMITIVE_KINDS(X)                         \
   X(sphere, spheres, kKindSphere, 0u, kHasSpheres)         \
   X(triangle, triangles, kKindTriangle, 1u, kHasTriangles) \
