@@ -14,7 +14,7 @@ float coatWeightAt(uint kind, uint attributes, vec2 weights, vec2 jitter) {
   uint material = kind >> kMaterialShift;
   uint surface = sceneRow(constants.firstMaterialRow + material * kMaterialRows + 3u).w;
   if (surface == 0u) return 0.0;
-  float weight = sceneRowFloat(surfaceRow(surface - 1u) + 3u).w;
+  float weight = loadCoat(surface - 1u).coatWeight;
   uint reference = kHasTextures && (kind & kFlagTexCoords) != 0u ? textureOf(material, kSlotCoat) : 0u;
   if (reference == 0u) return weight;
   return weight * redOf(textureTexel(reference, texCoordsAt(attributes, kind, weights), jitter));

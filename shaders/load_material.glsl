@@ -6,21 +6,42 @@
 
 uint surfaceRow(uint index) { return constants.firstSurfaceRow + index * kSurfaceRows; }
 
+// Returns the parameters whose lanes are entries of CANDELA_SURFACE_PARAMETERS; the others are not set.
+SurfaceParameters unpackSurface(SurfaceRecords records) {
+  SurfaceParameters s;
+#define UNPACK_COLOUR(name, value, record) s.name = records.record.xyz;
+#define UNPACK_NUMBER(name, value, record, lane) s.name = records.record.lane;
+#define UNPACK_FLAG(name, value)
+  CANDELA_SURFACE_PARAMETERS(UNPACK_COLOUR, UNPACK_NUMBER, UNPACK_FLAG)
+#undef UNPACK_COLOUR
+#undef UNPACK_NUMBER
+#undef UNPACK_FLAG
+  return s;
+}
+
+// Returns the parameters of the coat and of the volume of a surface; the others are not set.
+SurfaceParameters loadCoat(uint index) {
+  SurfaceRecords records;
+  records.coat = sceneRowFloat(surfaceRow(index) + kSurfaceCoat);
+  return unpackSurface(records);
+}
+
 SurfaceParameters loadSurface(uint index, out uint volume) {
   uint row = surfaceRow(index);
-  vec4 base = sceneRowFloat(row);
-  vec4 specular = sceneRowFloat(row + 1u);
-  vec4 shape = sceneRowFloat(row + 2u);
-  float coat = kHasCoat ? sceneRowFloat(row + 3u).w : 0.0;
-  volume = kHasVolumes ? sceneRow(row + 4u).x : 0u;
-  vec3 anisotropy = kHasAnisotropy ? sceneRowFloat(row + 4u).yzw : vec3(0.0);
-  vec4 sheen = kHasSheen ? sceneRowFloat(row + 5u) : vec4(0.0);
-  vec4 film = kHasFilm ? sceneRowFloat(row + 6u) : vec4(0.0);
-  vec4 eta = kHasConductors ? sceneRowFloat(row + 7u) : vec4(0.0);
-  vec4 kappa = kHasConductors || kHasDispersion ? sceneRowFloat(row + 8u) : vec4(0.0);
-  return SurfaceParameters(base.xyz, base.w, specular.xyz, specular.w, shape.x, anisotropy.x, anisotropy.yz, shape.y,
-                           shape.z, kappa.w, volume == 0u, coat, shape.w, false, false, sheen.xyz, sheen.w, film.x,
-                           film.y, film.z, film.w, eta.w != 0.0, eta.xyz, kappa.xyz);
+  SurfaceRecords records;
+#define LOAD_RECORD(record, name, index, isLoaded) records.record = isLoaded ? sceneRowFloat(row + name) : vec4(0.0);
+  CANDELA_SURFACE_RECORDS(LOAD_RECORD)
+#undef LOAD_RECORD
+  SurfaceParameters s = unpackSurface(records);
+  volume = kHasVolumes ? sceneRow(row + kSurfaceDirection).x : 0u;
+  s.isThinWalled = volume == 0u;
+  s.rotation = records.direction.zw;
+  s.isCoatAlone = false;
+  s.lacksDiffuse = false;
+  s.isConductor = records.eta.w != 0.0;
+  s.eta = records.eta.xyz;
+  s.kappa = records.kappa.xyz;
+  return s;
 }
 
 // Loads a material by its index in the scene.

@@ -1,30 +1,21 @@
 // The parameters of materials, and the lobes that they give: docs/light-transport.md section 5.
 #ifndef CANDELA_MATERIAL_TYPES_GLSL
 #define CANDELA_MATERIAL_TYPES_GLSL
+#include "../lists/surface_parameters.h"
 
-// The parameters of a surface (docs/light-transport.md section 5.1), with the names of scene::SurfaceParameters.
+// The parameters of a surface (docs/light-transport.md section 5.1): the entries of CANDELA_SURFACE_PARAMETERS, and what
+// has another form than in scene::SurfaceParameters.
 struct SurfaceParameters {
-  vec3 baseColour;
-  float metalness;
-  vec3 specularColour;
-  float specularWeight;
-  float roughness;
-  float anisotropy;  // strength
-  vec2 rotation;     // cosine and sine
-  float ior;
-  float transmissionWeight;
-  float transmissionDispersionScale;
-  bool isThinWalled;
-  float coatWeight;
-  float coatRoughness;
+#define DECLARE_COLOUR(name, value, record) vec3 name;
+#define DECLARE_NUMBER(name, value, record, lane) float name;
+#define DECLARE_FLAG(name, value) bool name;
+  CANDELA_SURFACE_PARAMETERS(DECLARE_COLOUR, DECLARE_NUMBER, DECLARE_FLAG)
+#undef DECLARE_COLOUR
+#undef DECLARE_NUMBER
+#undef DECLARE_FLAG
+  vec2 rotation;      // cosine and sine of the rotation of the anisotropy
   bool isCoatAlone;   // the layers below the coat do not count
   bool lacksDiffuse;  // the diffuse lobe does not count, only those beside it
-  vec3 sheenColour;
-  float sheenRoughness;
-  float filmWeight;
-  float filmIor;
-  float filmThickness;         // in nanometres, at a texel of 1
-  float filmThicknessMinimum;  // at a texel of 0
   bool isConductor;
   vec3 eta;    // complex index of refraction of a conductor
   vec3 kappa;

@@ -21,7 +21,7 @@ void countVolumeFault(Material material, bool outside, uint volume) {
 // Transmittance of a length of a volume; 1 outside of all volumes.
 vec3 volumeTransmittance(uint volume, float distance) {
   if (volume == 0u) return vec3(1.0);
-  vec3 depth = sceneRowFloat(surfaceRow(volume - 1u) + 3u).xyz * distance;
+  vec3 depth = loadCoat(volume - 1u).absorption * distance;
   return vec3(exponential(-depth.x), exponential(-depth.y), exponential(-depth.z));
 }
 

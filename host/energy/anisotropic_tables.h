@@ -3,17 +3,17 @@
 #include <array>
 #include <cstddef>
 
+#include "host/energy/energy_tables.h"
+
 namespace candela::energy {
 
-/// Nodes of a table in its four dimensions: node (i, j, k, l) has the index
+/// A table of four dimensions: node (i, j, k, l) has the index
 /// ((l * kAnisotropicRoughnesses + k) * kAnisotropicAzimuths + j) * kAnisotropicCosines + i. It belongs to the
 /// roughness max(k / (kAnisotropicRoughnesses - 1), kMinRoughness), whose square is ab, to the strength l /
 /// (kAnisotropicStrengths - 1), and thereby to at = mix(ab, 1, strength^2); to the azimuth at which (av - ab) / (at -
 /// ab) is (j / (kAnisotropicAzimuths - 1))^2, where av is alpha in the direction of wo; and to the cosine c at which c
 /// (1 + a) / (c + a) is i / (kAnisotropicCosines - 1), with a = av for kAnisotropicWhite and a = at for
 /// kAnisotropicTilt.
-inline constexpr std::size_t kAnisotropicCosines = 32, kAnisotropicAzimuths = 12, kAnisotropicRoughnesses = 16,
-                             kAnisotropicStrengths = 12;
 using AnisotropicTable = std::array<float, kAnisotropicCosines * kAnisotropicAzimuths * kAnisotropicRoughnesses *
                                                kAnisotropicStrengths>;
 
@@ -24,12 +24,9 @@ extern const AnisotropicTable kAnisotropicWhite;
 /// where interpolation would exceed it in the middle of a cell.
 extern const AnisotropicTable kAnisotropicTilt;
 
-/// Nodes of the tables of anisotropic glass. The first four dimensions are those above, with a = av. The fifth has the
-/// indices of refraction n at which (n - 1)/(n + 1) is (m / (kAnisotropicGlassIors - 1))^2 / 2, but at least
+/// A table of anisotropic glass. The first four dimensions are those above, with a = av. The fifth has the indices of
+/// refraction n at which (n - 1)/(n + 1) is (m / (kAnisotropicGlassIors - 1))^2 / 2, but at least
 /// kMinVolumeIor.
-inline constexpr std::size_t kAnisotropicGlassCosines = 16, kAnisotropicGlassAzimuths = 12,
-                             kAnisotropicGlassRoughnesses = 8, kAnisotropicGlassStrengths = 10,
-                             kAnisotropicGlassIors = 9;
 using AnisotropicGlassTable = std::array<float, kAnisotropicGlassCosines * kAnisotropicGlassAzimuths *
                                                     kAnisotropicGlassRoughnesses * kAnisotropicGlassStrengths *
                                                     kAnisotropicGlassIors>;

@@ -81,11 +81,14 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
 
 void noteLights(std::span<const LightEntry> table, const std::vector<bool>& touched, SceneFeatures& features) {
   for (const LightEntry& entry : table) {
-    features.pointLights |= entry.isPoint();
-    features.environmentLight |= entry.isEnvironment();
-    features.punctualLights |= entry.isPunctual();
-    features.sphereLights |= entry.kind == LightKind::sphere;
-    features.triangleLights |= entry.kind == LightKind::triangle;
+    switch (entry.kind) {
+#define CANDELA_NOTE_KIND(kind, feature, name, value) \
+  case LightKind::kind:                               \
+    features.feature = true;                          \
+    break;
+      CANDELA_LIGHT_KINDS(CANDELA_NOTE_KIND)
+#undef CANDELA_NOTE_KIND
+    }
   }
   features.touched = std::ranges::find(touched, true) != touched.end();
 }

@@ -8,14 +8,6 @@
 namespace candela::flatten {
 namespace {
 
-static_assert(static_cast<std::uint32_t>(LightKind::sphere) == gpu::kLightSphere);
-static_assert(static_cast<std::uint32_t>(LightKind::triangle) == gpu::kLightTriangle);
-static_assert(static_cast<std::uint32_t>(LightKind::point) == gpu::kLightPoint);
-static_assert(static_cast<std::uint32_t>(LightKind::punctual) == gpu::kLightPunctual);
-static_assert(static_cast<std::uint32_t>(LightKind::spot) == gpu::kLightSpot);
-static_assert(static_cast<std::uint32_t>(LightKind::directional) == gpu::kLightDirectional);
-static_assert(static_cast<std::uint32_t>(LightKind::environment) == gpu::kLightEnvironment);
-
 void appendPointLight(const scene::PointLight& light, const LightEntry& entry, Rows& rows) {
   rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightPoint, gpu::kNoSlot});
   rows.push_back(row(glm::dvec3(light.colour), 0.0));

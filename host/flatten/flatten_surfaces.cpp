@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <span>
 
@@ -12,22 +13,6 @@
 
 namespace candela::flatten {
 namespace {
-
-static_assert(gpu::kEnergyCells == energy::kNodes - 1);
-static_assert(gpu::kGlassCosineCells == energy::kGlassCosines - 1);
-static_assert(gpu::kGlassRoughnessCells == energy::kGlassRoughnesses - 1);
-static_assert(gpu::kGlassIorCells == energy::kGlassIors - 1);
-static_assert(gpu::kSheenCosineCells == energy::kSheenCosines - 1);
-static_assert(gpu::kSheenRoughnessCells == energy::kSheenRoughnesses - 1);
-static_assert(gpu::kAnisotropicCosineCells == energy::kAnisotropicCosines - 1);
-static_assert(gpu::kAnisotropicAzimuthCells == energy::kAnisotropicAzimuths - 1);
-static_assert(gpu::kAnisotropicRoughnessCells == energy::kAnisotropicRoughnesses - 1);
-static_assert(gpu::kAnisotropicStrengthCells == energy::kAnisotropicStrengths - 1);
-static_assert(gpu::kAnisotropicGlassCosineCells == energy::kAnisotropicGlassCosines - 1);
-static_assert(gpu::kAnisotropicGlassAzimuthCells == energy::kAnisotropicGlassAzimuths - 1);
-static_assert(gpu::kAnisotropicGlassRoughnessCells == energy::kAnisotropicGlassRoughnesses - 1);
-static_assert(gpu::kAnisotropicGlassStrengthCells == energy::kAnisotropicGlassStrengths - 1);
-static_assert(gpu::kAnisotropicGlassIorCells == energy::kAnisotropicGlassIors - 1);
 
 // Appends a record for every cell of a plane of `width` by `height` nodes.
 void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
@@ -62,19 +47,38 @@ void appendAnisotropic(bool withGlass, Rows& rows) {
                     energy::kAnisotropicGlassAzimuths, rows);
 }
 
+void store(const glm::vec3& colour, gpu::vec4& record) { record = {colour, record.w}; }
+
+// Returns the lanes of the records that have parameters as they are, by CANDELA_SURFACE_PARAMETERS.
+gpu::SurfaceRecords recordsOf(const scene::SurfaceParameters& s) {
+  gpu::SurfaceRecords records{};
+#define CANDELA_STORE_COLOUR(name, value, record) store(s.name, records.record);
+#define CANDELA_STORE_NUMBER(name, value, record, lane) records.record.lane = s.name;
+#define CANDELA_IGNORE_FLAG(name, value)
+  CANDELA_SURFACE_PARAMETERS(CANDELA_STORE_COLOUR, CANDELA_STORE_NUMBER, CANDELA_IGNORE_FLAG)
+#undef CANDELA_STORE_COLOUR
+#undef CANDELA_STORE_NUMBER
+#undef CANDELA_IGNORE_FLAG
+  return records;
+}
+
 void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
-  rows.push_back(row(glm::dvec3(s.baseColour), double{s.metalness}));
-  rows.push_back(row(glm::dvec3(s.specularColour), double{s.specularWeight}));
-  rows.push_back(row(glm::dvec3(s.roughness, s.ior, s.transmissionWeight), double{s.coatRoughness}));
-  rows.push_back(row(glm::dvec3(s.absorption), double{s.coatWeight}));
+  gpu::SurfaceRecords records = recordsOf(s);
+  if (!s.disperses()) records.kappa.w = 0;
   const double rotation = s.anisotropyRotation;
-  rows.push_back(
-      {volume, floatBits(double{s.anisotropy}), floatBits(std::cos(rotation)), floatBits(std::sin(rotation))});
-  rows.push_back(row(glm::dvec3(s.sheenColour), double{s.sheenRoughness}));
-  rows.push_back(row(glm::dvec3(s.filmWeight, s.filmIor, s.filmThickness), double{s.filmThicknessMinimum}));
+  records.direction.x = std::bit_cast<float>(volume);
+  records.direction.z = static_cast<float>(std::cos(rotation));
+  records.direction.w = static_cast<float>(std::sin(rotation));
   const scene::Conductor conductor = s.conductor.value_or(scene::Conductor{});
-  rows.push_back(row(glm::dvec3(conductor.ior), s.conductor ? 1.0 : 0.0));
-  rows.push_back(row(glm::dvec3(conductor.extinction), s.disperses() ? double{s.transmissionDispersionScale} : 0.0));
+  store(conductor.ior, records.eta);
+  store(conductor.extinction, records.kappa);
+  records.eta.w = s.conductor ? 1 : 0;
+  const std::size_t first = rows.size();
+  rows.resize(first + gpu::kSurfaceRows);
+#define CANDELA_STORE_RECORD(record, name, index, isLoaded) \
+  rows[first + gpu::name] = std::bit_cast<gpu::uvec4>(records.record);
+  CANDELA_SURFACE_RECORDS(CANDELA_STORE_RECORD)
+#undef CANDELA_STORE_RECORD
 }
 
 }  // namespace

@@ -11,27 +11,6 @@
 namespace candela::flatten {
 namespace {
 
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::baseColour) == gpu::kSlotBaseColour);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::emission) == gpu::kSlotEmission);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::metallicRoughness) == gpu::kSlotMetallicRoughness);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specular) == gpu::kSlotSpecular);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::specularColour) == gpu::kSlotSpecularColour);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::normal) == gpu::kSlotNormal);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::transmission) == gpu::kSlotTransmission);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coat) == gpu::kSlotCoat);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatRoughness) == gpu::kSlotCoatRoughness);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::coatNormal) == gpu::kSlotCoatNormal);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenColour) == gpu::kSlotSheenColour);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::sheenRoughness) == gpu::kSlotSheenRoughness);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::anisotropy) == gpu::kSlotAnisotropy);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::film) == gpu::kSlotFilm);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::filmThickness) == gpu::kSlotFilmThickness);
-static_assert(static_cast<std::uint32_t>(scene::TextureSlot::glossiness) == gpu::kSlotGlossiness);
-static_assert(static_cast<std::uint32_t>(scene::TextureWrap::repeat) == gpu::kWrapRepeat);
-static_assert(static_cast<std::uint32_t>(scene::TextureWrap::mirroredRepeat) == gpu::kWrapMirroredRepeat);
-static_assert(static_cast<std::uint32_t>(scene::TextureWrap::clampToEdge) == gpu::kWrapClampToEdge);
-static_assert(scene::kTextureSlotCount <= 4 * gpu::kOpacityRow);
-
 std::uint64_t texelRows(const scene::TextureImage& image) {
   return (image.texels.size() + 3) / 4 + (image.deepTexels.size() + 1) / 2;
 }

@@ -4,11 +4,16 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "lists/light_kinds.h"
 
 namespace candela::flatten {
 
-/// The kinds of lights that have entries, with the values of shaders/shared/scene_rows.h.
-enum class LightKind : std::uint32_t { sphere, triangle, point, punctual, spot, directional, environment };
+/// The kinds of lights that have entries: those of CANDELA_LIGHT_KINDS, with their values.
+enum class LightKind : std::uint32_t {
+#define CANDELA_ENUMERATE_KIND(kind, feature, name, value) kind = value,
+  CANDELA_LIGHT_KINDS(CANDELA_ENUMERATE_KIND)
+#undef CANDELA_ENUMERATE_KIND
+};
 
 struct LightEntry {
   LightKind kind = LightKind::sphere;

@@ -3,6 +3,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "lists/surface_parameters.h"
+
 namespace candela::scene {
 
 /// The complex index of refraction ior + i extinction of a metal, for red, green and blue. `ior` > 0, `extinction` >=
@@ -14,29 +16,18 @@ struct Conductor {
   bool operator==(const Conductor&) const = default;
 };
 
-/// Tracers turn the parameters into the weights of lobes at every hit. Colours are linear RGB in [0, 1], weights and
-/// roughnesses are in [0, 1].
+/// The entries of CANDELA_SURFACE_PARAMETERS, and what devices store in another form. Tracers turn the parameters into
+/// the weights of lobes at every hit. Colours are linear RGB in [0, 1], weights and roughnesses are in [0, 1], unless
+/// the list states another range.
 struct SurfaceParameters {
-  glm::vec3 baseColour{1, 1, 1};
-  float metalness = 0;
-  glm::vec3 specularColour{1, 1, 1};  ///< factor of a dielectric's reflectance at normal incidence; may exceed 1
-  float specularWeight = 1;           ///< of a dielectric's reflection at all angles
-  float roughness = 1;                ///< perceptual: alpha is its square
-  float ior = 1.5f;                   ///< of the inside relative to the outside, at least 1; or 0: reflects everything
-  float transmissionWeight = 0;       ///< fraction of the diffuse reflection that is replaced by transmission
-  float transmissionDispersionScale = 0;  ///< of a volume whose Abbe number is 20 divided by it; 0: no dispersion
-  bool isThinWalled = true;               ///< the surface bounds no volume, and light passes it without refraction
-  glm::vec3 absorption{0, 0, 0};          ///< coefficient of the volume, per unit of length in the scene, >= 0
-  float coatWeight = 0;
-  glm::vec3 sheenColour{0, 0, 0};  ///< albedo of the fibres on the surface, relative to that of white ones
-  float sheenRoughness = 0;
-  float coatRoughness = 0;
-  float anisotropy = 0;                  ///< alpha along its direction is mix(alpha, 1, anisotropy^2)
-  float anisotropyRotation = 0;          ///< of that direction from the tangent, counter-clockwise, in radians
-  float filmWeight = 0;                  ///< of interference in a thin film on the surface
-  float filmIor = 1.3f;                  ///< at least 1
-  float filmThickness = 400;             ///< in nanometres
-  float filmThicknessMinimum = 100;      ///< in nanometres, where a texture's thickness is 0
+#define CANDELA_DECLARE_COLOUR(name, value, record) glm::vec3 name{value};
+#define CANDELA_DECLARE_NUMBER(name, value, record, lane) float name = value;
+#define CANDELA_DECLARE_FLAG(name, value) bool name = value;
+  CANDELA_SURFACE_PARAMETERS(CANDELA_DECLARE_COLOUR, CANDELA_DECLARE_NUMBER, CANDELA_DECLARE_FLAG)
+#undef CANDELA_DECLARE_COLOUR
+#undef CANDELA_DECLARE_NUMBER
+#undef CANDELA_DECLARE_FLAG
+  float anisotropyRotation = 0;          ///< of anisotropy's direction from the tangent, counter-clockwise, in radians
   std::optional<Conductor> conductor{};  ///< of the metal, which reflects by Fresnel's equations times the base colour
 
   /// The surface bounds a volume, which light enters and leaves by refraction.

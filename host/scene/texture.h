@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lists/textures.h"
+
 namespace candela::scene {
 
 /// Four channels of 8 or 16 bits for each texel, row by row from the top, as the image file has them: nothing is
@@ -19,8 +21,12 @@ struct TextureImage {
   bool isDeep() const { return !deepTexels.empty(); }
 };
 
-/// The treatment of texture coordinates outside of 0 to 1.
-enum class TextureWrap : std::uint8_t { repeat, mirroredRepeat, clampToEdge };
+/// The treatment of texture coordinates outside of 0 to 1: the entries of CANDELA_TEXTURE_WRAPS, with their values.
+enum class TextureWrap : std::uint8_t {
+#define CANDELA_ENUMERATE_WRAP(wrap, name, value) wrap = value,
+  CANDELA_TEXTURE_WRAPS(CANDELA_ENUMERATE_WRAP)
+#undef CANDELA_ENUMERATE_WRAP
+};
 
 enum class TextureFilter : std::uint8_t { nearest, linear };
 
@@ -38,25 +44,14 @@ struct TextureReference {
   bool operator==(const TextureReference&) const = default;
 };
 
-/// The quantities of a material that textures may give. Unless stated otherwise, a texel is a factor of the quantity.
+/// The quantities of a material that textures may give: the entries of CANDELA_TEXTURE_SLOTS, with their values.
 enum class TextureSlot : std::uint8_t {
-  baseColour,         ///< sRGB
-  emission,           ///< sRGB
-  metallicRoughness,  ///< metalness: blue, roughness: green
-  specular,           ///< weight: alpha
-  specularColour,     ///< sRGB
-  normal,             ///< no factor: a direction in the tangent frame, in red, green and blue
-  transmission,       ///< weight: red
-  coat,               ///< weight: red
-  coatRoughness,      ///< green
-  coatNormal,         ///< as `normal`
-  sheenColour,        ///< sRGB
-  sheenRoughness,     ///< alpha
-  anisotropy,         ///< strength: blue; its direction in the tangent frame: red and green
-  film,               ///< weight: red
-  filmThickness,      ///< green
-  glossiness          ///< alpha, a factor of 1 - roughness
+#define CANDELA_ENUMERATE_SLOT(slot, name, value) slot = value,
+  CANDELA_TEXTURE_SLOTS(CANDELA_ENUMERATE_SLOT)
+#undef CANDELA_ENUMERATE_SLOT
 };
-inline constexpr std::size_t kTextureSlotCount = 16;
+#define CANDELA_COUNT_SLOT(slot, name, value) +1
+inline constexpr std::size_t kTextureSlotCount = CANDELA_TEXTURE_SLOTS(CANDELA_COUNT_SLOT);
+#undef CANDELA_COUNT_SLOT
 
 }  // namespace candela::scene

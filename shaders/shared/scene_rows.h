@@ -3,7 +3,11 @@
 // because "record" alone is a path record (render_data.h).
 #ifndef CANDELA_SHARED_SCENE_ROWS_H
 #define CANDELA_SHARED_SCENE_ROWS_H
+#include "../../lists/energy_tables.h"
+#include "../../lists/light_kinds.h"
 #include "../../lists/primitive_kinds.h"
+#include "../../lists/surface_parameters.h"
+#include "../../lists/textures.h"
 #include "language.h"
 CANDELA_BEGIN
 
@@ -68,59 +72,55 @@ CANDELA_CONST uint kColourRows = 3u;
 // term instead of the emission, and does not use the last record.
 CANDELA_CONST uint kMaterialRows = 5u;
 
-// Surface parameters, nine records: (base colour, metalness) (specular colour, specular weight) (roughness, ior,
-// transmission weight, coat roughness) (absorption, coat weight) (number of the volume that the surface bounds or 0, as
-// a word, strength of the anisotropy, cosine and sine of its rotation) (sheen colour, sheen roughness) (film weight,
-// film ior, thickness, thickness at a texel of 0) (eta, 1 if the metal is a conductor) (kappa, dispersion or 0 if there
-// is none). The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
-CANDELA_CONST uint kSurfaceRows = 9u;
+// Surface parameters, the records of CANDELA_SURFACE_RECORDS with the lanes that CANDELA_SURFACE_PARAMETERS states, and
+// these: direction.x is the number of the volume that the surface bounds or 0, as a word; direction.z and w are cosine
+// and sine of the rotation of the anisotropy; eta is the real part of a conductor's index of refraction, with 1 in w if
+// the metal is a conductor, and kappa its imaginary part. The dispersion is 0 if there is none. The surfaces that bound
+// volumes come first; the number of a volume is the index of its surface + 1.
+struct SurfaceRecords {
+#define CANDELA_DECLARE_RECORD(record, name, index, isLoaded) vec4 record;
+  CANDELA_SURFACE_RECORDS(CANDELA_DECLARE_RECORD)
+#undef CANDELA_DECLARE_RECORD
+};
+#define CANDELA_DECLARE_RECORD(record, name, index, isLoaded) CANDELA_CONST uint name = index;
+CANDELA_SURFACE_RECORDS(CANDELA_DECLARE_RECORD)
+#undef CANDELA_DECLARE_RECORD
+#define CANDELA_COUNT_RECORD(record, name, index, isLoaded) +1u
+CANDELA_CONST uint kSurfaceRows = CANDELA_SURFACE_RECORDS(CANDELA_COUNT_RECORD);
+#undef CANDELA_COUNT_RECORD
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
+
+// Number of cells of the energy tables in each dimension.
+#define CANDELA_DECLARE_CELLS(nodes, cells, count) CANDELA_CONST uint cells = count - 1u;
+CANDELA_ENERGY_TABLES(CANDELA_DECLARE_CELLS)
+#undef CANDELA_DECLARE_CELLS
 
 // Energy tables, two records for every cell of the tables' nodes, in the order of the cells' lower nodes: the values at
 // the nodes (i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1) of energy::kWhite, and those of energy::kTilt.
-CANDELA_CONST uint kEnergyCells = 47u;  // in each dimension
 CANDELA_CONST uint kEnergyRows = 2u;
 
 // Glass tables, if the scene has volumes: after the energy tables, a record of four values as above for every cell of
 // the cosines and roughnesses, for every node of the index of refraction; those of energy::kGlassOutside, then of
 // energy::kGlassInside.
-CANDELA_CONST uint kGlassCosineCells = 47u;
-CANDELA_CONST uint kGlassRoughnessCells = 31u;
-CANDELA_CONST uint kGlassIorCells = 10u;
 
 // Sheen table, if the scene has a sheen: after the tables before it, a record of four values as above for every cell of
 // energy::kSheen.
-CANDELA_CONST uint kSheenCosineCells = 31u;
-CANDELA_CONST uint kSheenRoughnessCells = 31u;
 
 // Tables of anisotropic microfacets, if the scene has any: after the tables before them, a record of four values as
 // above for every cell of the cosines and azimuths, for every node of the roughness, for every node of the strength;
 // those of energy::kAnisotropicWhite, then of energy::kAnisotropicTilt.
-CANDELA_CONST uint kAnisotropicCosineCells = 31u;
-CANDELA_CONST uint kAnisotropicAzimuthCells = 11u;
-CANDELA_CONST uint kAnisotropicRoughnessCells = 15u;
-CANDELA_CONST uint kAnisotropicStrengthCells = 11u;
 
 // Tables of anisotropic glass, if the scene has volumes, too: after those, for every node of the index of refraction,
 // such a table of energy::kAnisotropicGlassOutside, then of energy::kAnisotropicGlassInside.
-CANDELA_CONST uint kAnisotropicGlassCosineCells = 15u;
-CANDELA_CONST uint kAnisotropicGlassAzimuthCells = 11u;
-CANDELA_CONST uint kAnisotropicGlassRoughnessCells = 7u;
-CANDELA_CONST uint kAnisotropicGlassStrengthCells = 9u;
-CANDELA_CONST uint kAnisotropicGlassIorCells = 8u;
 
 // Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
 // instead of the area, the index of one more record among those that follow the last light:
 // (direction, cosine of the outer angle); and instead of the radius 1 / (difference of the cosines).
 CANDELA_CONST uint kLightRows = 3u;
-CANDELA_CONST uint kLightSphere = 0u;
-CANDELA_CONST uint kLightTriangle = 1u;
-CANDELA_CONST uint kLightPoint = 2u;
-CANDELA_CONST uint kLightPunctual = 3u;  // with fall-off
-CANDELA_CONST uint kLightSpot = 4u;
-CANDELA_CONST uint kLightDirectional = 5u;
-CANDELA_CONST uint kLightEnvironment = 6u;  // no emission, no position
+#define CANDELA_DECLARE_KIND(kind, feature, name, value) CANDELA_CONST uint name = value;
+CANDELA_LIGHT_KINDS(CANDELA_DECLARE_KIND)
+#undef CANDELA_DECLARE_KIND
 CANDELA_CONST uint kNoSlot = 0x07ffffffu;
 
 // Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and
@@ -139,36 +139,25 @@ CANDELA_CONST uint kPointLightRows = 4u;
 CANDELA_CONST uint kSrgbTableRows = 64u;
 CANDELA_CONST uint kDeepSrgbTableRows = 16384u;
 CANDELA_CONST uint kDeepReference = 1u << 31;
-CANDELA_CONST uint kMaterialTextureRows = 6u;
-CANDELA_CONST uint kOpacityRow = 4u;  // of a material's records
-CANDELA_CONST uint kScaleRow = 5u;
+#define CANDELA_DECLARE_SLOT(slot, name, value) CANDELA_CONST uint name = value;
+CANDELA_TEXTURE_SLOTS(CANDELA_DECLARE_SLOT)
+#undef CANDELA_DECLARE_SLOT
+#define CANDELA_COUNT_SLOT(slot, name, value) +1u
+CANDELA_CONST uint kOpacityRow = (CANDELA_TEXTURE_SLOTS(CANDELA_COUNT_SLOT) + 3u) / 4u;  // of a material's records
+#undef CANDELA_COUNT_SLOT
+CANDELA_CONST uint kScaleRow = kOpacityRow + 1u;
+CANDELA_CONST uint kMaterialTextureRows = kScaleRow + 1u;
 CANDELA_CONST uint kReferenceRows = 2u;
 CANDELA_CONST uint kTextureSecondSet = 1u;  // flags, below the index of the record
 CANDELA_CONST uint kTextureNearest = 2u;
 CANDELA_CONST uint kTextureWrapShiftS = 2u;
 CANDELA_CONST uint kTextureWrapShiftT = 4u;
-CANDELA_CONST uint kTextureWrapMask = 3u;  // as scene::TextureWrap
-CANDELA_CONST uint kWrapRepeat = 0u;
-CANDELA_CONST uint kWrapMirroredRepeat = 1u;
-CANDELA_CONST uint kWrapClampToEdge = 2u;
+CANDELA_CONST uint kTextureWrapMask = 3u;
+#define CANDELA_DECLARE_WRAP(wrap, name, value) CANDELA_CONST uint name = value;
+CANDELA_TEXTURE_WRAPS(CANDELA_DECLARE_WRAP)
+#undef CANDELA_DECLARE_WRAP
 CANDELA_CONST uint kTextureRowShift = 6u;
 CANDELA_CONST uint kMaxTextureRows = 1u << 26;
-CANDELA_CONST uint kSlotBaseColour = 0u;  // as scene::TextureSlot
-CANDELA_CONST uint kSlotEmission = 1u;
-CANDELA_CONST uint kSlotMetallicRoughness = 2u;
-CANDELA_CONST uint kSlotSpecular = 3u;
-CANDELA_CONST uint kSlotSpecularColour = 4u;
-CANDELA_CONST uint kSlotNormal = 5u;
-CANDELA_CONST uint kSlotTransmission = 6u;
-CANDELA_CONST uint kSlotCoat = 7u;
-CANDELA_CONST uint kSlotCoatRoughness = 8u;
-CANDELA_CONST uint kSlotCoatNormal = 9u;
-CANDELA_CONST uint kSlotSheenColour = 10u;
-CANDELA_CONST uint kSlotSheenRoughness = 11u;
-CANDELA_CONST uint kSlotAnisotropy = 12u;
-CANDELA_CONST uint kSlotFilm = 13u;
-CANDELA_CONST uint kSlotFilmThickness = 14u;
-CANDELA_CONST uint kSlotGlossiness = 15u;
 
 // Sky: six records (width, height, first texel, 0), then 64 records with the 256 linear values of 8-bit sRGB, then the
 // texels of all faces, four per record, each r | g << 8 | b << 16.
