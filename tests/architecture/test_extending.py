@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Checks docs/extending.md: applies the first steps of two recipes to a copy of the sources, and compiles what they change.
+"""Checks docs/extending.md: applies the first steps of recipes to a copy of the sources, and compiles what they change.
 
 A feature flag and a lobe take one line each, a kind of primitives takes two. With these lines alone, everything that is
 generated from the lists compiles, the compiler names the first place that must know the kind, and every kernel stays
-the same but for the constants that it does not use, so that no image can change. The files, functions and constants that
-the page names exist.
+the same but for the constants that it does not use, so that no image can change. The recipe of a surface parameter is
+applied as a whole: its files are those that the page names, both compilers read the entry, and a kernel loads the
+parameter only with its flag. The files, functions and constants that the page names exist.
 
 Usage: test_extending.py COMPILER GLSLANG SPIRV_OPT [INCLUDE FOLDER...]
 """
@@ -48,6 +49,35 @@ def apply_recipes(folder):
                  "X(newKind, newKinds, kKindNew, 5u, kHasNewKinds)")
     append_entry(folder / "lists/lobes.h", "CANDELA_LOBES", "X(newLobe, kLobeNew, 8u)")
     return flag_id
+
+
+# The steps of the recipe of a surface parameter: (file, text that occurs once in it, text that takes its place).
+BOOST = (
+    ("lists/surface_parameters.h", "  RECORD(kappa, ", "  RECORD(boost, kSurfaceBoost, 9u, kHasBoost) \\\n  RECORD(kappa, "),
+    ("lists/surface_parameters.h", "  NUMBER(coatRoughness, ", "  NUMBER(specularBoost, 1, boost, x) \\\n  NUMBER(coatRoughness, "),
+    ("host/flatten/flatten_features.cpp", "  features.surfaces = true;\n",
+     "  features.surfaces = true;\n  features.boosts |= surface.specularBoost != 1;\n"),
+    ("host/reference/surface_bsdf.cpp", "const double specular = ", "const double specular = double{surface.specularBoost} * "),
+    ("shaders/surface.glsl", "  float diffuse = luminance(", "  if (kHasBoost) specular *= s.specularBoost;\n  float diffuse = luminance("),
+    ("host/gltf/gltf_material.h", "  double clearcoat = 0;", "  double specularBoost = 1;\n  double clearcoat = 0;"),
+    ("host/gltf/material_extensions.cpp", "  result.clearcoat = ",
+     '  result.specularBoost = atLeastZero(*coat, "specularBoost", 1);\n  result.clearcoat = '),
+    ("host/gltf/material_mapping.cpp", "  surface.coatWeight = ",
+     "  surface.specularBoost = static_cast<float>(source.specularBoost);\n  surface.coatWeight = "))
+
+
+def apply_boost(folder):
+    """Copies the sources, and adds the parameter of the recipe. Returns the id of its flag and the files that changed."""
+    for name in ("host", "lists", "shaders"):
+        shutil.copytree(ROOT / name, folder / name)
+    features = folder / "lists/features.h"
+    flag_id = free_id(features)
+    append_entry(features, "CANDELA_FEATURES", f"X(boosts, kHasBoost, {flag_id})")
+    for file, old, new in BOOST:
+        text = (folder / file).read_text()
+        assert text.count(old) == 1, (file, old)
+        (folder / file).write_text(text.replace(old, new))
+    return flag_id, {"lists/features.h", *(file for file, _, _ in BOOST)}
 
 
 def check_syntax(folder, files, text=None):
@@ -142,6 +172,43 @@ class Recipes(unittest.TestCase):
 
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             self.assertEqual([shader for shader, same in zip(shaders, pool.map(both, shaders)) if not same], [])
+
+
+class SurfaceParameter(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.temporary = tempfile.TemporaryDirectory(prefix="candela-test-")
+        cls.folder = Path(cls.temporary.name)
+        cls.flag_id, cls.files = apply_boost(cls.folder)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.temporary.cleanup()
+
+    def test_page_names_the_files_that_change(self):
+        recipe = (ROOT / "docs/extending.md").read_text().split("## A surface parameter")[1].split("\n## ")[0]
+        steps = recipe.split("`tests/architecture")[0]
+        self.assertEqual(set(re.findall(r"`((?:host|lists|shaders)/[\w/]+\.\w+)`", steps)), self.files)
+        self.assertIn("It takes eight files", recipe)
+        self.assertEqual(len(self.files), 8)
+
+    def test_both_compilers_read_the_entry(self):
+        sources = sorted({file for file in self.files if file.endswith(".cpp")} | {"host/flatten/flatten_surfaces.cpp"})
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            results = list(pool.map(lambda file: check_syntax(self.folder, [file]), sources))
+        for file, result in zip(sources, results):
+            with self.subTest(file=file):
+                self.assertEqual(result.returncode, 0, result.stderr)
+
+    def test_kernel_reads_the_parameter_only_with_its_flag(self):
+        def live_size(flags):
+            out = str(self.folder / "path.comp.spv")
+            kernel_without(self.folder, "path.comp", flags, out)
+            subprocess.run([SPIRV_OPT, "--eliminate-dead-branches", "--eliminate-dead-code-aggressive", out, "-o", out],
+                           check=True)
+            return Path(out).stat().st_size
+
+        self.assertLess(live_size([self.flag_id]), live_size([]))
 
 
 if __name__ == "__main__":
