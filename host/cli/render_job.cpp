@@ -6,7 +6,6 @@
 #include "host/cli/idle_options.h"
 #include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
-#include "host/core/errors.h"
 #include "host/core/interrupt.h"
 #include "host/device/gpu_renderer.h"
 #include "host/formats/load_scene.h"

@@ -20,6 +20,10 @@ std::string textOr(const std::optional<T>& value, const char* absent) {
   return value ? fmt::to_string(*value) : absent;
 }
 
+constexpr const char* kFirstOrNone = "the first, else none";
+constexpr const char* kAtRest = "the pose at rest";
+constexpr const char* kFirst = "the first";
+
 std::string onOff(bool value) { return value ? "on" : "off"; }
 
 const render::ImageSettings& imageOf(const Job& job) { return job.settings.image; }
@@ -71,9 +75,11 @@ std::span<const FilmSetting> filmSettings() {
       FilmSetting{"lenient", [](const Job& job) { return onOff(job.reading.lenient); }, nullptr, true},
       FilmSetting{"env-rotate", [](const Job& job) { return fmt::to_string(job.reading.environment.rotation); }},
       FilmSetting{"env-scale", [](const Job& job) { return fmt::to_string(job.reading.environment.scale); }},
-      FilmSetting{"camera", [](const Job& job) { return textOr(job.reading.camera, "the first, else none"); }},
-      FilmSetting{"time", [](const Job& job) { return textOr(job.reading.time, "the pose at rest"); }},
-      FilmSetting{"animation", [](const Job& job) { return textOr(job.reading.animation, "the first"); }, "the first"}};
+      FilmSetting{"camera", [](const Job& job) { return textOr(job.reading.camera, kFirstOrNone); }, nullptr, false,
+                  kFirstOrNone},
+      FilmSetting{"time", [](const Job& job) { return textOr(job.reading.time, kAtRest); }, nullptr, false, kAtRest},
+      FilmSetting{"animation", [](const Job& job) { return textOr(job.reading.animation, kFirst); }, kFirst, false,
+                  kFirst}};
   return kSettings;
 }
 

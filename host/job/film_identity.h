@@ -17,6 +17,8 @@ struct FilmSetting {
   /// Films do not record this value, because films of versions without the setting have it; null: they record all.
   const char* unrecorded = nullptr;
   bool isFlag = false;  ///< the values are "on" and "off", and the option has none
+  /// Text of the default that no value of the option gives; null: there is none, or it is "off" of a flag.
+  const char* wordsOfDefault = nullptr;
 };
 std::span<const FilmSetting> filmSettings();
 /// Returns the setting of this name; null if films have none.

@@ -44,12 +44,17 @@ void requireAdaptable(const render::ImageSettings& image, const FilmPolicy& film
 
 }  // namespace
 
+void requireSamples(const render::SampleRange& range, std::uint32_t total) {
+  if (range.end <= total) return;
+  throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with {}", range.first,
+                               range.end, total, settingWords("spp")));
+}
+
 render::SampleRange samplesOf(const Job& job) {
   const std::uint32_t total = job.settings.image.sampleCount;
   const render::SampleRange range = job.film.samples.value_or(render::SampleRange{0, total});
-  if (range.end <= total) return range;
-  throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with {}", range.first,
-                               range.end, total, settingWords("spp")));
+  requireSamples(range, total);
+  return range;
 }
 
 std::optional<render::AdaptivePlan> planOf(const Job& job) {

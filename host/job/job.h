@@ -40,6 +40,8 @@ struct Job {
   const scene::Scene& scene() const { return *sharedScene; }
 };
 
+/// Throws UsageError if a range exceeds the samples that each pixel has in the whole render.
+void requireSamples(const render::SampleRange& range, std::uint32_t total);
 /// Returns the samples of each pixel that a job renders. Throws UsageError if it has fewer.
 render::SampleRange samplesOf(const Job& job);
 

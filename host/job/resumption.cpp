@@ -54,8 +54,9 @@ class Changes {
     if (name == kAccel) return adoptStructure(value, render.setting(name));
     const FilmSetting* const setting = filmSettingNamed(name);
     if (setting == nullptr) return;
-    const bool isAbsent = value.empty() || (setting->isFlag && value == "off") || value.starts_with("the ");
-    if (isAbsent) return removed_.push_back(settingWords(name));
+    const bool isDefault = setting->wordsOfDefault != nullptr && value == setting->wordsOfDefault;
+    if (value.empty() || isDefault || (setting->isFlag && value == "off"))
+      return removed_.push_back(settingWords(name));
     use(name, value);
   }
 

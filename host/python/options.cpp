@@ -190,7 +190,7 @@ cli::Arguments argumentsOf(const FunctionOptions& function, const py::kwargs& op
 std::string keywordWords(std::string_view name, std::string_view value) {
   const std::string option = "--" + std::string(name);
   const auto found = std::ranges::find(cli::optionTable(), option, &cli::Option::name);
-  if (found == cli::optionTable().end()) return option;
+  if (found == cli::optionTable().end()) return std::string(name);
   const std::string keyword = keywordOf(*found);
   if (value.empty()) return keyword;
   if (found->isFlag()) return keyword + "=True";

@@ -1,13 +1,9 @@
 // Advances a session, and describes its film.
 #include "host/python/session.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
-#include "host/core/errors.h"
 #include "host/core/progress.h"
-#include "host/core/setting_words.h"
 #include "host/job/film_identity.h"
 #include "host/python/rendering.h"
 
@@ -28,10 +24,7 @@ render::SampleRange PythonSession::next(std::uint32_t count) const {
 bool PythonSession::advance(const std::optional<render::SampleRange>& range, const Watch& watch) {
   const double start = monotonicSeconds();
   const render::SampleRange wanted = range.value_or(render::SampleRange{done_, total()});
-  if (wanted.end > total()) {
-    throw UsageError(fmt::format("samples {}:{} exceed the {} samples per pixel; set the total with {}", wanted.first,
-                                 wanted.end, total(), settingWords("spp")));
-  }
+  job::requireSamples(wanted, total());
   if (wanted.first == wanted.end) return true;
   const bool isComplete = session_->advance(wanted, {&watch.stop, watch.report});
   if (!first_) first_ = wanted.first;

@@ -145,6 +145,17 @@ TEST_CASE("a render with other settings does not resume a film, and the message 
   CHECK_THROWS_WITH(run(other, {}), Catch::Contains("use seed = 0, and leave out one-sided; resume-anyway"));
   other.film.resumeAnyway = true;
   CHECK(run(other, {}).header.mixed.size() == 2);
+
+  // A name that begins like the words of a default is a name.
+  const auto named = folder / "named.exr";
+  Job first = jobOf(4, {.checkpoint = named});
+  first.reading.camera = "the left one";
+  run(first, {});
+  CHECK_THROWS_WITH(run(jobOf(8, {.resume = named}), {}),
+                    Catch::Contains("; use camera = the left one; resume-anyway"));
+  first.reading.camera = "right";
+  first.film = {.resume = file};
+  CHECK_THROWS_WITH(run(first, {}), Catch::Contains("; leave out camera; resume-anyway"));
 }
 
 }  // namespace candela::job
