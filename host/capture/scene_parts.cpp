@@ -7,6 +7,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "host/scene/nff_loader.h"
+
 namespace candela::capture {
 namespace {
 

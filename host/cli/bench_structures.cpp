@@ -12,7 +12,7 @@
 #include "host/cli/render_job.h"
 #include "host/core/counted.h"
 #include "host/core/progress.h"
-#include "host/scene/load.h"
+#include "host/scene/nff_loader.h"
 
 namespace candela::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "host/process/child_process.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
-#include "host/scene/load.h"
+#include "host/scene/nff_loader.h"
 #include "host/verify/agreement.h"
 #include "host/verify/light_test.h"
 

@@ -8,6 +8,12 @@
 
 namespace candela::scene {
 
+/// A position in a file, 1-based. Columns count bytes; a tab is one column.
+struct Position {
+  std::uint32_t line = 0;
+  std::uint32_t column = 0;
+};
+
 struct Diagnostic {
   std::string file;
   std::uint32_t line = 0;    ///< 1-based; 0: the file as a whole

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host/scene/diagnostic.h"
-#include "host/scene/tokenizer.h"
 
 namespace candela::scene {
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "host/scene/number.h"
+#include "host/scene/tokenizer.h"
 
 namespace candela::scene {
 namespace {

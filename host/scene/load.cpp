@@ -1,16 +1,9 @@
-// Reads a scene from memory.
+// Checks of scenes that were read, and paths.
 #include "host/scene/load.h"
-
-#include "host/scene/nff_loader.h"
 
 namespace candela::scene {
 
 std::filesystem::path folderOrCurrent(const std::filesystem::path& folder) { return folder.empty() ? "." : folder; }
-
-LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                       const LoadOptions& options) {
-  return loadNff({text, name, folderOrCurrent(folder)}, options);
-}
 
 void requireCamera(const Scene& scene) {
   if (scene.camera) return;

@@ -43,9 +43,6 @@ struct LoadedScene {
 
 /// The folder of a file, or "." where its path has none.
 std::filesystem::path folderOrCurrent(const std::filesystem::path& folder);
-/// Reads NFF or P3F from memory. `name` is used in messages; `env` paths are relative to `folder`.
-LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
-                       const LoadOptions& options = {});
 /// Throws SceneError, with the syntax of a view, if the scene has no view.
 void requireCamera(const Scene& scene);
 

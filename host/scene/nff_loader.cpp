@@ -78,4 +78,9 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
           .files = parser.guard.requiredPaths()};
 }
 
+LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                       const LoadOptions& options) {
+  return loadNff({text, name, folderOrCurrent(folder)}, options);
+}
+
 }  // namespace candela::scene

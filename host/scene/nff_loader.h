@@ -1,5 +1,8 @@
 // The loader of NFF and P3F, in all their dialects.
 #pragma once
+#include <filesystem>
+#include <string>
+
 #include "host/scene/loader.h"
 
 namespace candela::scene {
@@ -10,5 +13,9 @@ Loader nffLoader();
 
 /// Implements Loader::load for NFF and P3F.
 LoadedScene loadNff(const SceneFile& file, const LoadOptions& options);
+
+/// Reads NFF or P3F from memory. `name` is used in messages; `env` paths are relative to `folder`.
+LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
+                       const LoadOptions& options = {});
 
 }  // namespace candela::scene

@@ -4,13 +4,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace candela::scene {
+#include "host/scene/diagnostic.h"
 
-/// A position in the file, 1-based. Columns count bytes; a tab is one column.
-struct Position {
-  std::uint32_t line = 0;
-  std::uint32_t column = 0;
-};
+namespace candela::scene {
 
 /// `text` refers to the file. It is empty only at the end of the file.
 struct Token {

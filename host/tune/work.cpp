@@ -8,7 +8,7 @@
 
 #include "host/core/errors.h"
 #include "host/generate/kinds.h"
-#include "host/scene/load.h"
+#include "host/scene/nff_loader.h"
 
 namespace candela::tune {
 namespace {

@@ -7,6 +7,7 @@
 #include "host/flatten/flatten_hierarchy.h"
 #include "host/formats/load_scene.h"
 #include "host/image/image.h"
+#include "host/scene/nff_loader.h"
 #include "tests/cli/run_program.h"
 
 namespace candela {

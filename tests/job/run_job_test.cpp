@@ -8,7 +8,7 @@
 #include "host/job/film_identity.h"
 #include "host/reference/reference_renderer.h"
 #include "host/render/request.h"
-#include "host/scene/load.h"
+#include "host/scene/nff_loader.h"
 #include "tests/core/temporary_folder.h"
 
 namespace candela::job {

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "host/core/errors.h"
+#include "host/scene/nff_loader.h"
 #include "host/scene/scene_builder.h"
 #include "host/verify/agreement.h"
 #include "host/vulkan/loop_limit.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "host/formats/load_scene.h"
+#include "host/scene/nff_loader.h"
 #include "tests/reference/default_settings.h"
 #include "tests/vulkan_support/test_device.h"
 

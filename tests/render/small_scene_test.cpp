@@ -6,6 +6,7 @@
 #include "host/device/small_scene_rule.h"
 #include "host/flatten/flat_scene.h"
 #include "host/formats/load_scene.h"
+#include "host/scene/nff_loader.h"
 #include "shaders/shared/scene_rows.h"
 #include "tests/reference/default_settings.h"
 

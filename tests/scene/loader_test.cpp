@@ -2,6 +2,7 @@
 #include "host/scene/loader.h"
 
 #include "host/formats/load_scene.h"
+#include "host/scene/nff_loader.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/scene/scene_text.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "host/scene/load.h"
+#include "host/scene/nff_loader.h"
 
 namespace candela::scene {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host/reference/reference_renderer.h"
-#include "host/scene/load.h"
+#include "host/scene/nff_loader.h"
 #include "host/verify/film_test.h"
 #include "tests/reference/default_settings.h"
 
