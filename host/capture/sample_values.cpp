@@ -23,7 +23,8 @@ struct Radiance {
 };
 
 /// Returns nothing if replicas take different decisions.
-std::optional<Radiance> radianceOf(const render::PixelSample& sample, render::Session& reference, double quantum) {
+std::optional<Radiance> radianceOf(const render::PixelSample& sample, render::ReplicaSource& reference,
+                                   double quantum) {
   std::vector<render::Replica> replicas;
   for (std::uint32_t i = 0; i < kReplicas; ++i) replicas.push_back(reference.replica(sample, i));
   Radiance radiance;
@@ -77,7 +78,7 @@ ExpectedValues expectedFilm(const scene::Scene& scene, const render::RenderSetti
   for (std::uint32_t pixel = 0; pixel < window.width * window.height; ++pixel) {
     const std::uint32_t x = pixel % window.width, y = pixel / window.width;
     const image::FilmPixel& exact = film.at(x, y);
-    const std::optional<Radiance> radiance = radianceOf({window.x + x, window.y + y, index}, *session,
+    const std::optional<Radiance> radiance = radianceOf({window.x + x, window.y + y, index}, *session->replicaSource(),
                                                         verify::filmQuantum(film));
     if (radiance && exact.badCount == 0) expectPixel(pixel, *radiance, film.radianceOfOne(), exact, expected);
   }

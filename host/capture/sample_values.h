@@ -13,7 +13,7 @@ inline constexpr std::uint32_t kFilmBinding = 2;
 
 /// Returns the sums and counts of the pixels of the settings' window after only sample `index`, as the reference
 /// computes them. The tolerance of a sum is that of docs/testing.md, "The verdict on a device". Pixels that single
-/// precision cannot decide are omitted.
+/// precision cannot decide are omitted. `reference` traces replicas.
 ExpectedValues expectedFilm(const scene::Scene& scene, const render::RenderSettings& settings, std::uint32_t index,
                             render::Renderer& reference);
 

@@ -247,7 +247,7 @@ render::Salvage GpuSession::salvage() {
 
 render::PathRecords GpuSession::paths() {
   render::PathRecords paths = paths_;
-  if (resident_ && settings_.execution.recordPaths) band_->readRecords(paths);
+  if (resident_) band_->readRecords(paths);
   return paths;
 }
 

@@ -16,7 +16,7 @@
 
 namespace candela::device {
 
-class GpuSession final : public render::Session {
+class GpuSession final : public render::Session, public render::SampleReplayer, public render::PathRecorder {
  public:
   /// Throws as render::Renderer::prepare() does. The scene must outlive the object.
   GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scene& scene, const render::RenderSettings& settings);
@@ -30,8 +30,14 @@ class GpuSession final : public render::Session {
   void load(const image::Film& film, std::uint32_t first) override;
   render::RenderStatistics statistics() override;
   render::Salvage salvage() override;
-  render::PathRecords paths() override;
+
+  render::SampleReplayer* replayer() override {
+    return settings_.image.integrator == render::Integrator::path ? this : nullptr;
+  }
   render::Replay replay(const render::PixelSample& sample) override;
+
+  render::PathRecorder* recorder() override { return settings_.execution.recordPaths ? this : nullptr; }
+  render::PathRecords paths() override;
 
   /// Returns the film in device memory, or null if the device does not have all of it: no sample was traced since the
   /// film was emptied or loaded, or the image has several bands. It may be called while advance() reports progress.

@@ -109,8 +109,9 @@ Explanation explainSample(const scene::Scene& scene, const render::RenderSetting
   render::RenderSettings replicated = settings;
   replicated.execution.replicas = kReplicaCount;
   const std::unique_ptr<render::Session> session = reference.prepare(scene, replicated);
-  return explainReplays(scene, settings, sample, device.replay(scene, settings, sample), session->replay(sample),
-                        session->replayReplicas(sample, kReplicaCount));
+  return explainReplays(scene, settings, sample, device.replay(scene, settings, sample),
+                        session->replayer()->replay(sample),
+                        session->replicaSource()->replayReplicas(sample, kReplicaCount));
 }
 
 std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,

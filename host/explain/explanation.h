@@ -47,7 +47,8 @@ struct Explanation {
 /// Throws UsageError, with an alternative, if `integrator` has no paths to replay.
 void requirePaths(render::Integrator integrator);
 
-/// Traces the sample on both sides. The pixel is within the image.
+/// Traces the sample on both sides. The pixel is within the image, the integrator is Integrator::path, and `reference`
+/// traces replicas.
 Explanation explainSample(const scene::Scene& scene, const render::RenderSettings& settings,
                           const render::PixelSample& sample, render::Renderer& device, render::Renderer& reference);
 /// Compares two replays. `scene` provides names for indices. `replicas` of the reference's path show how large the
@@ -57,6 +58,7 @@ Explanation explainReplays(const scene::Scene& scene, const render::RenderSettin
                            const render::Replay& reference, std::span<const render::PathTrace> replicas = {});
 
 /// Explains the pixel that differs most, with the settings of comparePaths(); returns nothing if all pixels are equal.
+/// The renderers and the integrator are as for explainSample().
 std::optional<Explanation> explainWorst(const scene::Scene& scene, const render::RenderSettings& settings,
                                         const verify::PixelAgreement& pixels, render::Renderer& device,
                                         render::Renderer& reference);

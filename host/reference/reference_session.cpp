@@ -11,7 +11,6 @@
 #include "host/core/setting_words.h"
 #include "host/core/stopwatch.h"
 #include "host/core/version.h"
-#include "host/reference/path.h"
 #include "host/reference/tile_job.h"
 #include "host/reference/views.h"
 #include "host/reference/whitted.h"
@@ -77,6 +76,7 @@ ReferenceSession::ReferenceSession(const scene::Scene& scene, const render::Rend
   Stopwatch watch;
   guarded([&] {
     tracer_ = makeTracer(scene, settings_);
+    pathTracer_ = dynamic_cast<const PathTracer*>(tracer_.get());
     prepareReplicas(*scene.camera);
     if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene);
     film_ = render::emptyFilm(settings_.image, settings_.image.window().extent());
@@ -186,21 +186,17 @@ render::RenderStatistics ReferenceSession::statistics() {
 
 std::vector<render::PathTrace> ReferenceSession::replayReplicas(const render::PixelSample& sample,
                                                                 std::uint32_t count) {
-  const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
   std::vector<render::PathTrace> traces;
-  if (paths == nullptr || !replicaTracer_) return traces;
   for (std::uint32_t i = 0; i < count; ++i) {
     RoundedArithmetic rounded = replicaTracer_->arithmeticOf(sample, i);
-    traces.push_back(paths->trace(sample, rounded));
+    traces.push_back(pathTracer_->trace(sample, rounded));
   }
   return traces;
 }
 
 render::Replay ReferenceSession::replay(const render::PixelSample& sample) {
-  const auto* const paths = dynamic_cast<const PathTracer*>(tracer_.get());
-  if (paths == nullptr) throw UsageError("only samples of the path tracer can be replayed");
   Arithmetic exact;
-  return {paths->trace(sample, exact), prepared_};
+  return {pathTracer_->trace(sample, exact), prepared_};
 }
 
 }  // namespace candela::reference

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "host/reference/path.h"
 #include "host/reference/rounding/replicas.h"
 #include "host/render/film_coverage.h"
 #include "host/render/session.h"
@@ -10,7 +11,10 @@
 
 namespace candela::reference {
 
-class ReferenceSession final : public render::Session {
+class ReferenceSession final : public render::Session,
+                               public render::SampleReplayer,
+                               public render::PathRecorder,
+                               public render::ReplicaSource {
  public:
   /// The scene must outlive the object.
   ReferenceSession(const scene::Scene& scene, const render::RenderSettings& settings);
@@ -23,13 +27,19 @@ class ReferenceSession final : public render::Session {
   void setView(const scene::Camera& camera, const render::Extent& size) override;
   void load(const image::Film& film, std::uint32_t first) override;
   render::RenderStatistics statistics() override;
+
+  render::SampleReplayer* replayer() override { return pathTracer_ != nullptr ? this : nullptr; }
+  render::Replay replay(const render::PixelSample& sample) override;
+
+  render::PathRecorder* recorder() override { return settings_.execution.recordPaths ? this : nullptr; }
   render::PathRecords paths() override { return paths_; }
+
+  render::ReplicaSource* replicaSource() override { return replicaTracer_ ? this : nullptr; }
   render::ReplicaRecords replicas() override { return replicas_; }
   render::Replica replica(const render::PixelSample& sample, std::uint32_t index) override {
-    return replicaTracer_.value().trace(sample, index);
+    return replicaTracer_->trace(sample, index);
   }
   std::vector<render::PathTrace> replayReplicas(const render::PixelSample& sample, std::uint32_t count) override;
-  render::Replay replay(const render::PixelSample& sample) override;
 
  private:
   void prepareReplicas(const scene::Camera& camera);
@@ -38,6 +48,7 @@ class ReferenceSession final : public render::Session {
 
   render::RenderSettings settings_;
   std::unique_ptr<PixelTracer> tracer_;
+  const PathTracer* pathTracer_ = nullptr;      ///< the tracer, if it traces paths
   std::optional<ReplicaTracer> replicaTracer_;  ///< if the settings request replicas
   std::optional<scene::MatteIds> matteIds_;     ///< of a render with mattes
   image::Film film_;

@@ -41,4 +41,15 @@ struct PathRecord {
 /// One record per pixel, row by row from the top.
 using PathRecords = std::vector<PathRecord>;
 
+/// Records the decisions of paths while a session advances: Session::recorder().
+class PathRecorder {
+ public:
+  /// Returns the records so far; a pixel without samples has no vertices. Throws as Session::film() does if the device
+  /// fails.
+  virtual PathRecords paths() = 0;
+
+ protected:
+  ~PathRecorder() = default;
+};
+
 }  // namespace candela::render

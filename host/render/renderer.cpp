@@ -10,17 +10,16 @@ RenderResult Renderer::render(const scene::Scene& scene, const RenderSettings& s
   RenderResult result;
   result.interrupted = !session->advance({0, settings.image.sampleCount}, control);
   result.film = session->film();
-  result.paths = session->paths();
+  if (PathRecorder* const recorder = session->recorder()) result.paths = recorder->paths();
   result.statistics = session->statistics();
   return result;
 }
 
 Replay Renderer::replay(const scene::Scene& scene, const RenderSettings& settings, const PixelSample& sample) {
-  return prepare(scene, settings)->replay(sample);
-}
-
-Replica Session::replica(const PixelSample&, std::uint32_t) {
-  throw UsageError("only the reference traces replicas of a sample");
+  const std::unique_ptr<Session> session = prepare(scene, settings);
+  SampleReplayer* const replayer = session->replayer();
+  if (replayer == nullptr) throw UsageError("only samples of the path tracer can be replayed");
+  return replayer->replay(sample);
 }
 
 }  // namespace candela::render

@@ -25,7 +25,8 @@ class Renderer {
 
   /// Renders the whole image: prepares a session, adds all samples and returns its film.
   RenderResult render(const scene::Scene& scene, const RenderSettings& settings, const RenderControl& control);
-  /// Prepares a session and traces one sample: see Session::replay().
+  /// Prepares a session and traces one sample: see SampleReplayer::replay(). Throws UsageError if the integrator is not
+  /// Integrator::path.
   Replay replay(const scene::Scene& scene, const RenderSettings& settings, const PixelSample& sample);
 };
 

@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "host/render/path_trace.h"
+
 namespace candela::render {
 
 /// A sample traced again with every quantity perturbed by its rounding error.
@@ -32,6 +34,21 @@ struct Deviation {
 struct ReplicaRecords {
   std::vector<Replica> replicas;      ///< ExecutionSettings::replicas for each pixel, of its sample 0
   std::vector<Deviation> deviations;  ///< one per pixel
+};
+
+/// Traces replicas of the samples of a session: Session::replicaSource().
+class ReplicaSource {
+ public:
+  /// Returns the replicas of the samples that advance() added.
+  virtual ReplicaRecords replicas() = 0;
+  /// Traces replica `index`, from 0, of one sample. Those of replicas() are the first ones.
+  virtual Replica replica(const PixelSample& sample, std::uint32_t index) = 0;
+  /// Returns the paths of the first `count` replicas of a sample, like SampleReplayer::replay() for the exact one. The
+  /// session must have a replayer.
+  virtual std::vector<PathTrace> replayReplicas(const PixelSample& sample, std::uint32_t count) = 0;
+
+ protected:
+  ~ReplicaSource() = default;
 };
 
 }  // namespace candela::render

@@ -3,14 +3,12 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <vector>
 
-#include "host/core/errors.h"
 #include "host/image/film.h"
 #include "host/render/extent.h"
 #include "host/render/path_record.h"
-#include "host/render/path_trace.h"
 #include "host/render/pixel_mask.h"
+#include "host/render/replay.h"
 #include "host/render/replicas.h"
 #include "host/render/statistics.h"
 #include "host/scene/scene.h"
@@ -33,12 +31,6 @@ struct RenderControl {
   std::function<void(double fraction, std::uint64_t samplesDone)> progress;
 };
 
-/// One sample that was traced again.
-struct Replay {
-  PathTrace path;
-  RenderStatistics statistics;  ///< device, driver, structure, and whether work was truncated
-};
-
 /// The rest of a session whose device failed.
 struct Salvage {
   image::Film film;             ///< as it was last on the host: whole samples only, as Session::load() takes them
@@ -47,8 +39,8 @@ struct Salvage {
 
 /// Renders one scene with fixed settings, in any number of steps. The film is the same, bit for bit, however the
 /// samples are split into ranges, and whether or not a range was stopped and continued.
-/// Every member function but salvage() may throw DeviceLostError, OutOfMemoryError or InternalError. After one of
-/// them, the session can only be salvaged and destroyed.
+/// Every member function but salvage() and those that return a part of the session may throw DeviceLostError,
+/// OutOfMemoryError or InternalError. After one of them, the session can only be salvaged and destroyed.
 class Session {
  public:
   virtual ~Session() = default;
@@ -62,7 +54,7 @@ class Session {
   /// Restricts the following calls of advance() to the pixels of `mask`, which has an entry for each pixel of the film
   /// or is empty; all others keep the samples that they have. No call of advance() may be unfinished. Whatever empties
   /// or replaces the film lifts the restriction.
-  virtual void restrictTo(const PixelMask&) { throw InternalError("the session traces all pixels"); }
+  virtual void restrictTo(const PixelMask& mask) = 0;
   /// Returns the film so far.
   virtual image::Film film() = 0;
   /// Empties the film and starts again with this seed and this total number of samples per pixel, >= 1. The film then
@@ -73,7 +65,7 @@ class Session {
   virtual void setCamera(const scene::Camera& camera) = 0;
   /// Empties the film, moves the camera and changes the size of the image, each side in [1, 65535]. The film then
   /// equals that of a session prepared with this camera and size. Throws UsageError if the session renders a crop.
-  virtual void setView(const scene::Camera&, const Extent&) { throw InternalError("the session has one size"); }
+  virtual void setView(const scene::Camera& camera, const Extent& size) = 0;
   /// Continues from a film of the same scene, settings and seed whose pixels each contain the samples first, first + 1,
   /// ..., sampleCount of them. Throws UsageError if its size or its layers differ, or if a pixel would have samples
   /// beyond ImageSettings::sampleCount.
@@ -85,18 +77,14 @@ class Session {
   /// pixels hold consecutive samples from the first one on, but not all the same number. If truncated work may have
   /// reached it, the statistics say so. The session can only be destroyed afterwards.
   virtual Salvage salvage() { return {film(), statistics()}; }
-  /// Returns one record per pixel; empty unless ExecutionSettings::recordPaths.
-  virtual PathRecords paths() = 0;
-  /// Empty unless the tracer is the reference and ExecutionSettings::replicas is above 0.
-  virtual ReplicaRecords replicas() { return {}; }
-  /// Traces replica `index`, from 0, of one sample, if the tracer has replicas. Those of replicas() are the first ones.
-  virtual Replica replica(const PixelSample& sample, std::uint32_t index);
-  /// Returns the paths of the first `count` replicas of a sample, like replay() for the exact one; empty if the
-  /// tracer has no replicas.
-  virtual std::vector<PathTrace> replayReplicas(const PixelSample&, std::uint32_t) { return {}; }
-  /// Traces one sample again, without adding it to the film. It is the sample that advance() adds, bit for bit. The
-  /// integrator must be Integrator::path, and the pixel must be within the image.
-  virtual Replay replay(const PixelSample& sample) = 0;
+
+  // Not every session can do the following. What is returned is a part of the session.
+  /// Returns null if the integrator is not Integrator::path.
+  virtual SampleReplayer* replayer() { return nullptr; }
+  /// Returns null unless ExecutionSettings::recordPaths.
+  virtual PathRecorder* recorder() { return nullptr; }
+  /// Returns null unless the tracer is the reference and ExecutionSettings::replicas is above 0.
+  virtual ReplicaSource* replicaSource() { return nullptr; }
 };
 
 }  // namespace candela::render

@@ -48,7 +48,7 @@ AgreementReport compareTracers(const scene::Scene& scene, const render::RenderSe
   report.deviceStatistics = many.statistics;
   report.deviceStatistics.truncated += renders.deviceStatistics.truncated;
   report.deviceFilm = std::move(many.film);
-  if (!report.interrupted) testRegions(report, session->replicas().deviations, options.alpha / 2);
+  if (!report.interrupted) testRegions(report, deviationsOf(*session), options.alpha / 2);
   return report;
 }
 

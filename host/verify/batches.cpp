@@ -44,7 +44,7 @@ bool Batches::render(std::uint32_t samples, std::uint32_t look, const render::Re
     statistics_ = session_->statistics();
     render::requireComplete(statistics_);
     const image::Film film = session_->film();
-    if (excuses_) excuses_->add(film, film, session_->replicas().deviations);
+    if (excuses_) excuses_->add(film, film, deviationsOf(*session_));
     addFilm(film, batch);
   }
   samples_ += samples;

@@ -20,7 +20,7 @@ struct Candidate {
 };
 
 // Returns whether kConfirmations more replicas agree with the others.
-bool isConfirmed(const Candidate& candidate, render::Session& reference) {
+bool isConfirmed(const Candidate& candidate, render::ReplicaSource& reference) {
   const Participants& participants = candidate.participants;
   const glm::dvec3& value = participants.values[candidate.odd];
   const std::uint64_t decisions = participants.decisions[candidate.odd == 0 ? 1 : 0];
@@ -45,7 +45,7 @@ class DecisionCounts {
   DecisionCounts(const image::Film& device, const std::vector<render::Replica>& replicas)
       : device_(device), replicas_(replicas) {}
 
-  DecisionTest run(render::Session& reference, double level) {
+  DecisionTest run(render::ReplicaSource& reference, double level) {
     test_.isPossible = true;
     test_.level = level;
     for (std::uint32_t y = 0; y < device_.height(); ++y) {
@@ -106,7 +106,7 @@ class DecisionCounts {
 
 }  // namespace
 
-DecisionTest testDecisions(const image::Film& device, render::Session& reference, double level) {
+DecisionTest testDecisions(const image::Film& device, render::ReplicaSource& reference, double level) {
   const render::ReplicaRecords records = reference.replicas();
   if (records.replicas.size() != kReplicas * device.pixels().size()) return {};
   return DecisionCounts(device, records.replicas).run(reference, level);

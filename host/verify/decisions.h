@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "host/image/film.h"
-#include "host/render/session.h"
+#include "host/render/replicas.h"
 
 namespace candela::verify {
 
@@ -55,8 +55,8 @@ struct DecisionTest {
   nlohmann::ordered_json json() const;
 };
 
-/// Tests the device's film of one sample per pixel at `level`. `reference` has advanced by the same sample, with
-/// kReplicas replicas; otherwise the test is not possible, and agrees.
-DecisionTest testDecisions(const image::Film& device, render::Session& reference, double level);
+/// Tests the device's film of one sample per pixel at `level`. `reference` is that of a session that has advanced by
+/// the same sample, with kReplicas replicas; otherwise the test is not possible, and agrees.
+DecisionTest testDecisions(const image::Film& device, render::ReplicaSource& reference, double level);
 
 }  // namespace candela::verify

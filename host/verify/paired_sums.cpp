@@ -28,6 +28,11 @@ double excusedSum(const PairedSum& sum) {
 
 }  // namespace
 
+std::vector<render::Deviation> deviationsOf(render::Session& session) {
+  render::ReplicaSource* const source = session.replicaSource();
+  return source != nullptr ? source->replicas().deviations : std::vector<render::Deviation>{};
+}
+
 PairedSums::PairedSums(std::span<const Region> regions, double scale)
     : regions_(regions), scale_(scale > 0 ? scale : 1), sums_(regions.size()) {}
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host/image/film.h"
-#include "host/render/replicas.h"
+#include "host/render/session.h"
 #include "host/statistics/self_normalised.h"
 #include "host/verify/decisions.h"
 #include "host/verify/region_result.h"
@@ -30,6 +30,9 @@ struct PairedSum {
   statistics::SelfNormalisedSum replica;  ///< differences of the replica from the exact samples
   double samples = 0;                     ///< number of samples, of all pixels
 };
+
+/// Returns the deviations of the session's replicas so far, one per pixel; empty if it traces none.
+std::vector<render::Deviation> deviationsOf(render::Session& session);
 
 class PairedSums {
  public:

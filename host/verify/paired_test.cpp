@@ -114,7 +114,7 @@ class PairedTest {
     render::requireComplete(result_.deviceStatistics);
     const image::Film deviceFilm = device_->film();
     const image::Film referenceFilm = reference_->film();
-    sums_.add(deviceFilm, referenceFilm, reference_->replicas().deviations);
+    sums_.add(deviceFilm, referenceFilm, deviationsOf(*reference_));
     result_.badSamples.device.add(deviceFilm, image);
     result_.badSamples.reference.add(referenceFilm, image);
     if (!options_.keepFilms) return;

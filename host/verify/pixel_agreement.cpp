@@ -79,15 +79,17 @@ std::optional<PixelAgreement> comparePaths(const scene::Scene& scene, const rend
   render::RenderResult b;
   b.interrupted = !session->advance({0, 1}, control);
   b.film = session->film();
-  b.paths = session->paths();
+  b.paths = session->recorder()->paths();
   renders.deviceStatistics = a.statistics;
   renders.badSamples.device.add(a.film, single.image);
   renders.badSamples.reference.add(b.film, single.image);
   if (a.interrupted || b.interrupted) return std::nullopt;
   PixelAgreement result = comparePixels(a, b);
-  result.decisions = testDecisions(a.film, *session, level);
-  if (result.decisions.isPossible && settings.image.integrator == render::Integrator::path) {
-    result.undecided = examineUndecided(scene, a.film.width(), *session);
+  render::ReplicaSource* const replicas = session->replicaSource();
+  if (replicas != nullptr) result.decisions = testDecisions(a.film, *replicas, level);
+  render::SampleReplayer* const replayer = session->replayer();
+  if (result.decisions.isPossible && replayer != nullptr) {
+    result.undecided = examineUndecided(scene, a.film.width(), *replayer, *replicas);
   }
   result.referenceMean = meanLuminance(b.film);
   return result;

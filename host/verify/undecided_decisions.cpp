@@ -136,16 +136,17 @@ UndecidedDecision firstUndecided(const PathTrace& exact, const PathTrace& replic
   return VertexDecisions(exact, last, scene).other();
 }
 
-UndecidedDecisions examineUndecided(const scene::Scene& scene, std::uint32_t width, render::Session& reference) {
-  const std::vector<render::Replica> replicas = reference.replicas().replicas;
+UndecidedDecisions examineUndecided(const scene::Scene& scene, std::uint32_t width, render::SampleReplayer& replayer,
+                                    render::ReplicaSource& source) {
+  const std::vector<render::Replica> replicas = source.replicas().replicas;
   UndecidedDecisions result;
   for (const std::size_t pixel : chosenOf(replicas, result.undecidable)) {
     const render::PixelSample sample{static_cast<std::uint32_t>(pixel % width),
                                      static_cast<std::uint32_t>(pixel / width), 0};
     const std::size_t first = kReplicas * pixel;
     const std::size_t index = replicas[first].vertex > 0 ? 0 : 1;
-    const PathTrace exact = reference.replay(sample).path;
-    const std::vector<PathTrace> traces = reference.replayReplicas(sample, kReplicas);
+    const PathTrace exact = replayer.replay(sample).path;
+    const std::vector<PathTrace> traces = source.replayReplicas(sample, kReplicas);
     const double light = std::abs(image::luminance(traces[index].radiance - exact.radiance));
     count(firstUndecided(exact, traces[index], replicas[first + index].vertex, scene), light, result.kinds);
     ++result.examined;

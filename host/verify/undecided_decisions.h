@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "host/render/session.h"
+#include "host/render/replay.h"
+#include "host/render/replicas.h"
 #include "host/scene/scene.h"
 
 namespace candela::verify {
@@ -36,8 +37,9 @@ inline constexpr std::uint32_t kMaxExamined = 256;
 UndecidedDecision firstUndecided(const render::PathTrace& exact, const render::PathTrace& replica, std::uint32_t vertex,
                                  const scene::Scene& scene);
 
-/// Traces undecidable pixels of `reference`, which has advanced by one sample of each pixel with replicas, again. The
-/// integrator must be Integrator::path. `width` is that of the image.
-UndecidedDecisions examineUndecided(const scene::Scene& scene, std::uint32_t width, render::Session& reference);
+/// Traces undecidable pixels again. Both interfaces are those of a session that has advanced by one sample of each
+/// pixel, with kReplicas replicas. `width` is that of the image.
+UndecidedDecisions examineUndecided(const scene::Scene& scene, std::uint32_t width, render::SampleReplayer& replayer,
+                                    render::ReplicaSource& replicas);
 
 }  // namespace candela::verify

@@ -217,13 +217,12 @@ void Engine::explainNow(render::PixelSample sample, bool searches) {
     sessions_.session(side)->setView(camera_, sessions_.settings.image.size);
     preparedScale_[indexOf(side)] = 0;
   }
-  if (searches) {
-    sample.index = worstSample(*sessions_.device, *sessions_.reference, sample, schedule_->samples(Side::device));
-  }
+  render::SampleReplayer& device = *sessions_.device->replayer();
+  render::SampleReplayer& reference = *sessions_.reference->replayer();
+  if (searches) sample.index = worstSample(device, reference, sample, schedule_->samples(Side::device));
   next_.explained = sample;
   next_.explanation = toText(explain::explainReplays(*sessions_.scene, sessions_.settings, sample,
-                                                     sessions_.device->replay(sample),
-                                                     sessions_.reference->replay(sample)));
+                                                     device.replay(sample), reference.replay(sample)));
   publish();
 }
 

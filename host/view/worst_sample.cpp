@@ -10,7 +10,7 @@ constexpr std::uint32_t kSearchedSamples = 64;
 
 }  // namespace
 
-std::uint32_t worstSample(render::Session& device, render::Session& reference, render::PixelSample sample,
+std::uint32_t worstSample(render::SampleReplayer& device, render::SampleReplayer& reference, render::PixelSample sample,
                           std::uint32_t count) {
   double worst = -1;
   std::uint32_t found = 0;

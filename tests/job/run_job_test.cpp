@@ -37,13 +37,13 @@ class LosingSession final : public render::Session {
     inner_->advance({range.first, (range.first + range.end) / 2}, control);
     throw DeviceLostError("the made device was lost");
   }
+  void restrictTo(const render::PixelMask& mask) override { inner_->restrictTo(mask); }
   image::Film film() override { return inner_->film(); }
   void reset(std::uint32_t seed, std::uint32_t sampleCount) override { inner_->reset(seed, sampleCount); }
   void setCamera(const scene::Camera& camera) override { inner_->setCamera(camera); }
+  void setView(const scene::Camera& camera, const render::Extent& size) override { inner_->setView(camera, size); }
   void load(const image::Film& film, std::uint32_t first) override { inner_->load(film, first); }
   render::RenderStatistics statistics() override { return inner_->statistics(); }
-  render::PathRecords paths() override { return inner_->paths(); }
-  render::Replay replay(const render::PixelSample& sample) override { return inner_->replay(sample); }
 
  private:
   std::unique_ptr<render::Session> inner_;

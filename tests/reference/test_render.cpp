@@ -32,7 +32,9 @@ render::PathRecord recordOf(const scene::Scene& scene, std::uint32_t maxDepth) {
 /// Returns the luminances and deviations that the replicas of a session find.
 std::vector<double> replicaValues(render::Session& session) {
   session.advance({0, 1}, {});
-  const render::ReplicaRecords records = session.replicas();
+  render::ReplicaSource* const source = session.replicaSource();
+  if (source == nullptr) throw std::logic_error("the session traces no replicas");
+  const render::ReplicaRecords records = source->replicas();
   std::vector<double> values;
   for (const render::Replica& replica : records.replicas) values.push_back(replica.radiance.x);
   for (const render::Deviation& deviation : records.deviations) values.push_back(deviation.magnitude.x);

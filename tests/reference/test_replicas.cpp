@@ -28,7 +28,7 @@ Counted count(const scene::Scene& scene, render::Integrator integrator) {
   const auto session = renderer->prepare(scene, settings);
   session->advance({0, settings.image.sampleCount}, {});
   Counted counted;
-  for (const render::Deviation& deviation : session->replicas().deviations) {
+  for (const render::Deviation& deviation : session->replicaSource()->replicas().deviations) {
     counted.samples += settings.image.sampleCount;
     counted.amplified += deviation.amplified;
   }
@@ -88,7 +88,7 @@ TEST_CASE("the lean of replicas is the signed sum of differences: rounding alone
   session->advance({0, settings.image.sampleCount}, {});
   double magnitude = 0;
   double lean = 0;
-  for (const render::Deviation& deviation : session->replicas().deviations) {
+  for (const render::Deviation& deviation : session->replicaSource()->replicas().deviations) {
     magnitude += deviation.magnitude[3];
     lean += deviation.lean[3];
     CHECK(std::abs(deviation.lean[3]) <= deviation.magnitude[3]);
@@ -115,7 +115,8 @@ TEST_CASE("a rug on an inclined floor of 1000 times its size makes no light a ma
     const auto session = reference::makeReferenceRenderer()->prepare(b.scene, settings);
     session->advance({0, settings.image.sampleCount}, {});
     double magnitude = 0;
-    for (const render::Deviation& deviation : session->replicas().deviations) magnitude += deviation.magnitude[3];
+    for (const render::Deviation& deviation : session->replicaSource()->replicas().deviations)
+      magnitude += deviation.magnitude[3];
     CAPTURE(i);
     CHECK(magnitude < 1e-5 * 16 * 16 * settings.image.sampleCount);
   }

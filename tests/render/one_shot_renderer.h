@@ -7,7 +7,7 @@
 
 namespace candela::test {
 
-/// The derived class defines the result of a whole render; its sessions cannot continue films or replay samples.
+/// The derived class defines the result of a whole render; its sessions cannot continue films.
 class OneShotRenderer : public render::Renderer {
  public:
   virtual render::RenderResult renderOnce(const scene::Scene& scene, const render::RenderSettings& settings,
@@ -18,7 +18,7 @@ class OneShotRenderer : public render::Renderer {
   }
 
  private:
-  class OneShotSession final : public render::Session {
+  class OneShotSession final : public render::Session, public render::PathRecorder {
    public:
     OneShotSession(OneShotRenderer& renderer, const scene::Scene& scene, const render::RenderSettings& settings)
         : renderer_(renderer), scene_(scene), settings_(settings) {}
@@ -28,13 +28,17 @@ class OneShotRenderer : public render::Renderer {
       result_ = renderer_.renderOnce(scene_, settings_, control);
       return !result_.interrupted;
     }
+    void restrictTo(const render::PixelMask&) override { throw std::logic_error("this renderer traces all pixels"); }
     image::Film film() override { return result_.film; }
     void reset(std::uint32_t seed, std::uint32_t) override { settings_.image.seed = seed; }
     void setCamera(const scene::Camera&) override { throw std::logic_error("this renderer has no camera"); }
+    void setView(const scene::Camera&, const render::Extent&) override {
+      throw std::logic_error("this renderer has no camera");
+    }
     void load(const image::Film&, std::uint32_t) override { throw std::logic_error("this renderer continues no film"); }
     render::RenderStatistics statistics() override { return result_.statistics; }
+    render::PathRecorder* recorder() override { return this; }
     render::PathRecords paths() override { return result_.paths; }
-    render::Replay replay(const render::PixelSample&) override { throw std::logic_error("this renderer has no paths"); }
 
    private:
     OneShotRenderer& renderer_;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "tests/verify/replica_session.h"
+#include "tests/verify/made_replicas.h"
 
 namespace candela::verify {
 namespace {
@@ -22,14 +22,14 @@ struct DecisionRun {
 // `device(pixel, x, y)` is the device's value.
 template <class Device>
 DecisionRun runDecisions(const std::vector<MadePixel>& pixels, unsigned seed, Device device) {
-  ReplicaSession session(kSize, pixels, seed);
+  MadeReplicas replicas(kSize, pixels, seed);
   image::Film film(kSize.width, kSize.height);
   for (std::uint32_t y = 0; y < kSize.height; ++y) {
     for (std::uint32_t x = 0; x < kSize.width; ++x) {
       film.addSample(x, y, glm::dvec3(device(pixels[y * kSize.width + x], x, y)), 0);
     }
   }
-  return {testDecisions(film, session, kLevel), session.traced};
+  return {testDecisions(film, replicas, kLevel), replicas.traced};
 }
 
 std::vector<MadePixel> allAlike(const MadePixel& pixel) {
@@ -37,7 +37,7 @@ std::vector<MadePixel> allAlike(const MadePixel& pixel) {
 }
 
 double honest(const MadePixel& pixel, unsigned seed, std::uint32_t x, std::uint32_t y) {
-  return ReplicaSession::made(pixel, {~seed, x, y, 99}).radiance.x;
+  return MadeReplicas::made(pixel, {~seed, x, y, 99}).radiance.x;
 }
 
 TEST_CASE("a correct device is odd no more often than a replica, whatever rounding can decide") {
@@ -104,8 +104,8 @@ TEST_CASE("a scene without decidable samples agrees, and the report says so") {
 }
 
 TEST_CASE("without replicas there is no test") {
-  ReplicaSession session(kSize, {}, 1);
-  const DecisionTest test = testDecisions(image::Film(kSize.width, kSize.height), session, kLevel);
+  MadeReplicas replicas(kSize, {}, 1);
+  const DecisionTest test = testDecisions(image::Film(kSize.width, kSize.height), replicas, kLevel);
   CHECK_FALSE(test.isPossible);
   CHECK(test.agrees());
 }

@@ -32,7 +32,7 @@ class PairedRenderer final : public render::Renderer {
   }
 
  private:
-  class PairedSession final : public render::Session {
+  class PairedSession final : public render::Session, public render::PathRecorder, public render::ReplicaSource {
    public:
     PairedSession(const PairedRenderer& renderer, const render::RenderSettings& settings)
         : renderer_(renderer), settings_(settings) {}
@@ -53,12 +53,14 @@ class PairedRenderer final : public render::Renderer {
       return true;
     }
 
+    void restrictTo(const render::PixelMask&) override { throw std::logic_error("noise is traced in all pixels"); }
     image::Film film() override { return film_; }
     void reset(std::uint32_t seed, std::uint32_t sampleCount) override {
       settings_.image.seed = seed;
       settings_.image.sampleCount = sampleCount;
     }
     void setCamera(const scene::Camera&) override {}
+    void setView(const scene::Camera&, const render::Extent&) override {}
     void load(const image::Film&, std::uint32_t) override {}
     render::RenderStatistics statistics() override {
       render::RenderStatistics statistics;
@@ -66,9 +68,16 @@ class PairedRenderer final : public render::Renderer {
       statistics.truncated = isTruncated ? renderer_.options_.truncated : 0;
       return statistics;
     }
+    render::PathRecorder* recorder() override { return this; }
     render::PathRecords paths() override { return render::PathRecords(film_.pixels().size()); }
+    render::ReplicaSource* replicaSource() override { return records_.deviations.empty() ? nullptr : this; }
     render::ReplicaRecords replicas() override { return records_; }
-    render::Replay replay(const render::PixelSample&) override { throw std::logic_error("noise has no paths"); }
+    render::Replica replica(const render::PixelSample&, std::uint32_t) override {
+      throw std::logic_error("noise has no paths");
+    }
+    std::vector<render::PathTrace> replayReplicas(const render::PixelSample&, std::uint32_t) override {
+      throw std::logic_error("noise has no paths");
+    }
 
    private:
     void addSample(std::uint32_t x, std::uint32_t y, std::uint32_t index, std::mt19937& shared, std::mt19937& own) {

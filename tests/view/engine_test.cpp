@@ -16,14 +16,13 @@ class LostSession final : public render::Session {
   bool advance(render::SampleRange, const render::RenderControl&) override {
     throw DeviceLostError("the device was lost");
   }
+  void restrictTo(const render::PixelMask&) override {}
   image::Film film() override { return {}; }
   void reset(std::uint32_t, std::uint32_t) override {}
   void setCamera(const scene::Camera&) override {}
   void setView(const scene::Camera&, const render::Extent&) override {}
   void load(const image::Film&, std::uint32_t) override {}
   render::RenderStatistics statistics() override { return {}; }
-  render::PathRecords paths() override { return {}; }
-  render::Replay replay(const render::PixelSample&) override { return {}; }
 };
 
 // Waits until the engine publishes nothing for some time, and returns the serial number of its last view.

@@ -1,9 +1,10 @@
-// A session of an artificial reference: every pixel has one decision, which rounding may change.
+// The replicas of an artificial reference: every pixel has one decision, which rounding may change.
 #pragma once
 #include <random>
 #include <stdexcept>
 
-#include "host/render/session.h"
+#include "host/render/extent.h"
+#include "host/render/replicas.h"
 #include "host/verify/decisions.h"
 
 namespace candela::verify {
@@ -17,19 +18,10 @@ struct MadePixel {
   double noise = 1e-7;
 };
 
-class ReplicaSession final : public render::Session {
+class MadeReplicas final : public render::ReplicaSource {
  public:
-  ReplicaSession(render::Extent size, std::vector<MadePixel> pixels, unsigned seed)
+  MadeReplicas(render::Extent size, std::vector<MadePixel> pixels, unsigned seed)
       : size_(size), pixels_(std::move(pixels)), seed_(seed) {}
-
-  bool advance(render::SampleRange, const render::RenderControl&) override { return true; }
-  image::Film film() override { throw std::logic_error("not made"); }
-  void reset(std::uint32_t, std::uint32_t) override {}
-  void setCamera(const scene::Camera&) override {}
-  void load(const image::Film&, std::uint32_t) override {}
-  render::RenderStatistics statistics() override { return {}; }
-  render::PathRecords paths() override { return {}; }
-  render::Replay replay(const render::PixelSample&) override { throw std::logic_error("not made"); }
 
   render::ReplicaRecords replicas() override {
     render::ReplicaRecords records;
@@ -44,6 +36,10 @@ class ReplicaSession final : public render::Session {
   render::Replica replica(const render::PixelSample& sample, std::uint32_t index) override {
     ++traced;
     return made(pixels_[sample.y * size_.width + sample.x], {seed_, sample.x, sample.y, index});
+  }
+
+  std::vector<render::PathTrace> replayReplicas(const render::PixelSample&, std::uint32_t) override {
+    throw std::logic_error("not made");
   }
 
   /// Returns the value of a correct tracer: that of a replica with other random numbers.
