@@ -1,8 +1,6 @@
 // Traces rays on a device and returns their hits.
 #include "host/bench/device_tracer.h"
 
-#include <utility>
-
 namespace candela::bench {
 namespace {
 
@@ -13,11 +11,12 @@ std::vector<Choice> choices(Choice asked, Choice first, Choice second) {
 
 }  // namespace
 
-DeviceTracer::DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings)
-    : caster_(device, std::move(flat), settings) {}
+DeviceTracer::DeviceTracer(vulkan::Device& device, const flatten::FlatScene& flat,
+                           const render::RenderSettings& settings)
+    : caster_(device, flat, settings) {}
 
 render::LayoutInUse DeviceTracer::layout() const {
-  const render::LayoutInUse layout = caster_.scene().layout();
+  const render::LayoutInUse layout = caster_.shape().layout();
   return layout == render::LayoutInUse::none ? render::LayoutInUse::list : layout;
 }
 

@@ -10,7 +10,7 @@ namespace candela::bench {
 class DeviceTracer : public RayTracer {
  public:
   /// Takes the arguments of RayCaster's constructor.
-  DeviceTracer(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings);
+  DeviceTracer(vulkan::Device& device, const flatten::FlatScene& flat, const render::RenderSettings& settings);
 
   device::RaySets makeRays() { return caster_.makeRays(); }
   void load(std::span<const gpu::CastRay> rays, bool anyHit) override { caster_.load(rays, anyHit); }
@@ -21,7 +21,7 @@ class DeviceTracer : public RayTracer {
   render::SceneLoads sceneLoads() const {
     return caster_.readsTexels() ? render::SceneLoads::texel : render::SceneLoads::storage;
   }
-  std::uint64_t sceneBytes() const { return caster_.scene().rows.size() * sizeof(gpu::uvec4); }
+  std::uint64_t sceneBytes() const { return caster_.sceneBytes(); }
 
  private:
   device::RayCaster caster_;

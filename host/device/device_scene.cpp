@@ -27,7 +27,7 @@ bool fitsStorage(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat)
     throw FileError(fmt::format("the scene needs {} texels, but {} binds at most {}: use {}", flat.rows.size(),
                                 info.name, info.maxTexelBufferElements, settingWords("loads", "storage")));
   }
-  const bool grid = flat.structure == gpu::kStructureGrid;
+  const bool grid = flat.shape.structure == gpu::kStructureGrid;
   const std::string smaller = grid ? "make it smaller, or lower " + settingWords("grid-density") : "make it smaller";
   throw FileError(fmt::format("the scene needs {} MiB on the device, but {} binds at most {} MiB: {}",
                               flat.rows.size() * kRowBytes >> 20, info.name, info.maxStorageBufferRange >> 20,

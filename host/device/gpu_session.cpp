@@ -18,7 +18,6 @@
 #include "host/device/wavefront.h"
 #include "host/device/workgroup.h"
 #include "host/flatten/camera_constants.h"
-#include "host/flatten/flatten_hierarchy.h"
 #include "host/render/request.h"
 
 namespace candela::device {
@@ -42,32 +41,38 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   render::requireIntegrator(scene_, settings_);
   requireWorkgroup(info, settings_.execution.workgroupInUse());
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
-  Stopwatch watch;
-  const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
-  preferBvh(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
-  flat_ = flatten::flattenScene(scene_, settings_,
-                                {maxGridSideFor(context_->loopLimit, info, rays), smallSceneRule(info)});
-  kernel_ = kernelFor(flat_, settings_);
+  prepareScene();
   if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene_);
-  budget_ = loopBudget(context_->loopLimit, info, flat_, rays);
-  if (layerSumsOf(settings_.image.layers) != 0) {
-    budget_.maxSegments = std::min(budget_.maxSegments, gpu::kMaxGatheredSamples);
-  }
-  if (kernel_.isWavefront()) budget_.maxSegments = std::min(budget_.maxSegments, kMaxRounds);
-  cameraRecords_ = flatten::cameraRecordsOf(scene_, flat_, settings_.image);
-  prepared_.seconds["build"] = watch.lap();
-  prepared_.seconds["structure"] = flat_.structureSeconds;
-
-  requireDeviceMemory(info, hostBytes(), std::span(flat_.rows).size_bytes(), bandRowBytes(kernel_, settings_));
-  deviceScene_ = std::make_unique<DeviceScene>(context_->device, flat_, loadsFor(info, flat_, settings_));
-  flat_.rows = {};
-  prepared_.seconds["upload"] = watch.lap();
-  describe();
-
   bandHeight_ = preferredBandHeight();
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
   film_ = render::emptyFilm(settings_.image, settings_.image.window().extent());
   startCounting();
+}
+
+// Flattens the scene and uploads it. Only its shape is stored on the host.
+void GpuSession::prepareScene() {
+  const vulkan::DeviceInfo& info = context_->device.info();
+  Stopwatch watch;
+  const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
+  preferBvh(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
+  const flatten::FlatScene flat = flatten::flattenScene(
+      scene_, settings_, {maxGridSideFor(context_->loopLimit, info, rays), smallSceneRule(info)});
+  shape_ = flat.shape;
+  kernel_ = kernelFor(flat, settings_);
+  budget_ = loopBudget(context_->loopLimit, info, shape_, rays);
+  if (layerSumsOf(settings_.image.layers) != 0) {
+    budget_.maxSegments = std::min(budget_.maxSegments, gpu::kMaxGatheredSamples);
+  }
+  if (kernel_.isWavefront()) budget_.maxSegments = std::min(budget_.maxSegments, kMaxRounds);
+  cameraRecords_ = flatten::cameraRecordsOf(scene_, flat, settings_.image);
+  prepared_.seconds["build"] = watch.lap();
+  prepared_.seconds["structure"] = flat.structureSeconds;
+  prepared_.structureQuality = flat.structureQuality;
+
+  requireDeviceMemory(info, hostBytes(), std::span(flat.rows).size_bytes(), bandRowBytes(kernel_, settings_));
+  deviceScene_ = std::make_unique<DeviceScene>(context_->device, flat, loadsFor(info, flat, settings_));
+  prepared_.seconds["upload"] = watch.lap();
+  describe();
 }
 
 void GpuSession::describe() {
@@ -78,16 +83,15 @@ void GpuSession::describe() {
   prepared_.kernels = kernelsHash();
   prepared_.structure = settings_.structure.accel;
   if (prepared_.structure == render::AccelKind::bvh) describeBuild(settings_.structure, prepared_);
-  prepared_.layout = flat_.layout();
+  prepared_.layout = shape_.layout();
   prepared_.kernel = kernel_.kind;
   prepared_.workgroup = settings_.execution.workgroupInUse();
   prepared_.automaticOrigin = settings_.execution.automatic.origin;
   prepared_.sceneLoads = deviceScene_->readsTexels() ? render::SceneLoads::texel : render::SceneLoads::storage;
-  prepared_.structureQuality = flat_.structureQuality;
 }
 
 vulkan::PipelineOptions GpuSession::pipelineOptions() const {
-  return kernelOptions(flat_, settings_, deviceScene_->readsTexels(), sizeof(gpu::DispatchConstants));
+  return kernelOptions(shape_, settings_, deviceScene_->readsTexels(), sizeof(gpu::DispatchConstants));
 }
 
 std::vector<vulkan::ComputePipeline> GpuSession::pipelinesOf(const Kernel& kernel) {
@@ -136,16 +140,13 @@ void GpuSession::reset(std::uint32_t seed, std::uint32_t sampleCount) {
   settings_.image.seed = seed;
   settings_.image.sampleCount = sampleCount;
   flatten::setSampling(cameraRecords_.constants, settings_.image);
-  flat_.constants = cameraRecords_.constants;
   deviceScene_->updateConstants(cameraRecords_);
   if (band_ && settings_.image.jittersPixels() != jittered) band_->setPipelines(pipelinesOf(kernel_));
   empty();
 }
 
 void GpuSession::setCamera(const scene::Camera& camera) {
-  flatten::moveCamera(scene_, camera, settings_.image, cameraRecords_);
-  flat_.constants = cameraRecords_.constants;
-  flat_.features.orthographic = camera.orthographicHeight.has_value();
+  flatten::moveCamera(scene_, camera, settings_.image, cameraRecords_, shape_);
   deviceScene_->update(cameraRecords_);
   if (band_) band_->setPipelines(pipelinesOf(kernel_));  // of the new camera's kind
   empty();

@@ -52,6 +52,7 @@ class GpuSession final : public render::Session, public render::SampleReplayer, 
   float radianceOfOne() const { return static_cast<float>(film_.radianceOfOne()); }
 
  private:
+  void prepareScene();
   void describe();
   vulkan::PipelineOptions pipelineOptions() const;
   std::vector<vulkan::ComputePipeline> pipelinesOf(const Kernel& kernel);
@@ -80,7 +81,7 @@ class GpuSession final : public render::Session, public render::SampleReplayer, 
   std::shared_ptr<DeviceContext> context_;
   const scene::Scene& scene_;
   render::RenderSettings settings_;
-  flatten::FlatScene flat_;  ///< without its records
+  flatten::SceneShape shape_;
   flatten::CameraRecords cameraRecords_;
   Kernel kernel_;
   LoopBudget budget_;

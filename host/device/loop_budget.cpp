@@ -61,16 +61,16 @@ std::uint32_t maxGridSideFor(std::uint32_t limit, const vulkan::DeviceInfo& info
 // In lavapipe's groups of invocations, iterations add up if the invocations exit a loop at different iterations; those
 // of a brute-force loop do not. Half of the device's limit is left for iterations that an invocation does not count and
 // for its last segment.
-LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
+LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::SceneShape& shape,
                       std::uint32_t raysPerSegment) {
   if (limit == vulkan::kUnlimitedIterations) return {0xffffffffu, 0xffffffffu};
-  if (flat.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * subgroupSizeOf(info))};
-  const std::uint64_t segments = bruteForceSegments(limit, flat.slotCount, raysPerSegment);
+  if (shape.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * subgroupSizeOf(info))};
+  const std::uint64_t segments = bruteForceSegments(limit, shape.slotCount, raysPerSegment);
   if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
   throw FileError(fmt::format(
       "no acceleration structure for {} primitives: {} stops loops after {} iterations, which allows at most {} "
       "primitives; use {}",
-      flat.slotCount, info.name, limit, maxBruteForcePrimitives(limit, raysPerSegment), settingWords("accel", "bvh")));
+      shape.slotCount, info.name, limit, maxBruteForcePrimitives(limit, raysPerSegment), settingWords("accel", "bvh")));
 }
 
 }  // namespace candela::device

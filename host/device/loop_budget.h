@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "host/flatten/flat_scene.h"
+#include "host/flatten/scene_shape.h"
+#include "host/render/settings.h"
+#include "host/scene/scene.h"
 #include "host/vulkan/device_info.h"
 
 namespace candela::device {
@@ -17,7 +19,7 @@ struct LoopBudget {
 
 /// `limit` is the result of probeLoopLimit(), `raysPerSegment` the maximum number of rays that a segment traces. Throws
 /// FileError if brute force over the scene exceeds the limit.
-LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
+LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::SceneShape& shape,
                       std::uint32_t raysPerSegment);
 
 /// If `structure` prefers AccelKind::none and the scene has more than 2^18 primitives, or the limit does not let the

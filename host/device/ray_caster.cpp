@@ -55,9 +55,9 @@ std::vector<std::uint32_t> alongMortonCurve(const render::Extent& size) {
 }
 
 vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv,
-                                     const flatten::FlatScene& flat, const render::RenderSettings& settings,
+                                     const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                      bool texels, bool anyHit) {
-  vulkan::PipelineOptions options = kernelOptions(flat, settings, texels, sizeof(gpu::CastConstants));
+  vulkan::PipelineOptions options = kernelOptions(shape, settings, texels, sizeof(gpu::CastConstants));
   options.specialisations.push_back({gpu::kSpecOcclusion, anyHit});
   return {device, spirv, options};
 }
@@ -73,13 +73,14 @@ const render::RenderSettings& checked(const vulkan::Device& device, const render
 
 }  // namespace
 
-RayCaster::RayCaster(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings)
+RayCaster::RayCaster(vulkan::Device& device, const flatten::FlatScene& flat, const render::RenderSettings& settings)
     : device_(device),
       settings_(checked(device, settings)),
-      flat_(std::move(flat)),
-      deviceScene_(device, flat_, loadsFor(device.info(), flat_, settings)),
-      casts_{castPipeline(device, spirv::cast_rays, flat_, settings, deviceScene_.readsTexels(), false),
-             castPipeline(device, spirv::cast_rays, flat_, settings, deviceScene_.readsTexels(), true)},
+      shape_(flat.shape),
+      sceneBytes_(std::span(flat.rows).size_bytes()),
+      deviceScene_(device, flat, loadsFor(device.info(), flat, settings)),
+      casts_{castPipeline(device, spirv::cast_rays, shape_, settings, deviceScene_.readsTexels(), false),
+             castPipeline(device, spirv::cast_rays, shape_, settings, deviceScene_.readsTexels(), true)},
       unused_(storage(device, 1, sizeof(gpu::CastHit))),
       rays_(storage(device, 1, sizeof(gpu::CastRay))),
       hits_(storage(device, 1, sizeof(gpu::CastHit))),
@@ -106,7 +107,7 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
 }
 
 RaySets RayCaster::makeRays() {
-  const vulkan::ComputePipeline pipeline = castPipeline(device_, spirv::make_rays, flat_, settings_, readsTexels(),
+  const vulkan::ComputePipeline pipeline = castPipeline(device_, spirv::make_rays, shape_, settings_, readsTexels(),
                                                         false);
   const std::uint32_t pixels = settings_.image.size.width * settings_.image.size.height;
   const vulkan::Buffer all = storage(device_, std::uint64_t{gpu::kRayKindCount} * pixels, sizeof(gpu::CastRay));

@@ -23,7 +23,7 @@ class RayCaster {
  public:
   /// `flat` must have been made with the same settings. Throws FileError if the device cannot bind the scene,
   /// UsageError if it does not support the workgroup.
-  RayCaster(vulkan::Device& device, flatten::FlatScene flat, const render::RenderSettings& settings);
+  RayCaster(vulkan::Device& device, const flatten::FlatScene& flat, const render::RenderSettings& settings);
 
   /// Returns a primary ray for each pixel; if it hits something, also a diffuse ray, and a ray to a light if there are
   /// lights. Throws InternalError if the device stopped a loop.
@@ -38,7 +38,8 @@ class RayCaster {
   /// Returns the hits of the loaded rays, after trace(). Throws InternalError if the device stopped a loop.
   std::vector<gpu::CastHit> hits() const;
 
-  const flatten::FlatScene& scene() const { return flat_; }
+  const flatten::SceneShape& shape() const { return shape_; }
+  std::uint64_t sceneBytes() const { return sceneBytes_; }  ///< of the scene's records
   bool readsTexels() const { return deviceScene_.readsTexels(); }
 
  private:
@@ -46,7 +47,8 @@ class RayCaster {
 
   vulkan::Device& device_;
   render::RenderSettings settings_;
-  flatten::FlatScene flat_;
+  flatten::SceneShape shape_;
+  std::uint64_t sceneBytes_;
   DeviceScene deviceScene_;
   std::array<vulkan::ComputePipeline, 2> casts_;  ///< closest hit, any hit
   vulkan::Buffer unused_;

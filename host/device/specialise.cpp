@@ -9,8 +9,8 @@
 namespace candela::device {
 namespace {
 
-std::uint32_t lensOf(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
-  if (flat.constants.lensUp == glm::vec3(0)) return gpu::kLensNone;
+std::uint32_t lensOf(const flatten::SceneShape& shape, const render::RenderSettings& settings) {
+  if (!shape.hasLens) return gpu::kLensNone;
   return settings.image.lens == render::LensKind::disc ? gpu::kLensDisc : gpu::kLensSquare;
 }
 
@@ -66,48 +66,49 @@ std::uint32_t viewOf(render::Integrator integrator) {
 
 }  // namespace
 
-std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+std::vector<vulkan::Specialisation> specialise(const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                                bool texels) {
-  std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
-                                                {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
-                                                {gpu::kSpecOneSided, settings.image.oneSided},
-                                                {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
-                                                {gpu::kSpecLayerSums, image::layerSumsOf(settings.image.layers)},
-                                                {gpu::kSpecFilmScale, settings.image.filmScale},
-                                                {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
-                                                {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
-                                                {gpu::kSpecTextureSlots, flat.textureSlots},
-                                                {gpu::kSpecCoincident, flat.coincident},
-                                                {gpu::kSpecBehindReach, std::bit_cast<std::uint32_t>(flat.behindReach)},
-                                                {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
-                                                {gpu::kSpecLens, lensOf(flat, settings)},
-                                                {gpu::kSpecFilter, filterOf(settings)},
-                                                {gpu::kSpecSampler, samplerOf(settings.image.sampler)},
-                                                {gpu::kSpecStructure, flat.structure},
-                                                {gpu::kSpecTexels, texels},
-                                                {gpu::kSpecRecord, settings.execution.recordPaths},
-                                                {gpu::kSpecStackSize, flat.stackSize},
-                                                {gpu::kSpecUniformSlots, flat.uniformSlots},
-                                                {gpu::kSpecFirstMarkedSlot, flat.firstMarkedSlot},
-                                                {gpu::kSpecRowsAhead, flat.rowsAhead},
-                                                {gpu::kSpecAreaLights, settings.image.lightSize > 0},
-                                                {gpu::kSpecView, viewOf(settings.image.integrator)}};
-  const flatten::SceneFeatures& has = flat.features;
+  std::vector<vulkan::Specialisation> constants{
+      {gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
+      {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
+      {gpu::kSpecOneSided, settings.image.oneSided},
+      {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
+      {gpu::kSpecLayerSums, image::layerSumsOf(settings.image.layers)},
+      {gpu::kSpecFilmScale, settings.image.filmScale},
+      {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
+      {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
+      {gpu::kSpecTextureSlots, shape.textureSlots},
+      {gpu::kSpecCoincident, shape.coincident},
+      {gpu::kSpecBehindReach, std::bit_cast<std::uint32_t>(shape.behindReach)},
+      {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
+      {gpu::kSpecLens, lensOf(shape, settings)},
+      {gpu::kSpecFilter, filterOf(settings)},
+      {gpu::kSpecSampler, samplerOf(settings.image.sampler)},
+      {gpu::kSpecStructure, shape.structure},
+      {gpu::kSpecTexels, texels},
+      {gpu::kSpecRecord, settings.execution.recordPaths},
+      {gpu::kSpecStackSize, shape.stackSize},
+      {gpu::kSpecUniformSlots, shape.uniformSlots},
+      {gpu::kSpecFirstMarkedSlot, shape.firstMarkedSlot},
+      {gpu::kSpecRowsAhead, shape.rowsAhead},
+      {gpu::kSpecAreaLights, settings.image.lightSize > 0},
+      {gpu::kSpecView, viewOf(settings.image.integrator)}};
+  const flatten::SceneFeatures& has = shape.features;
 #define CANDELA_SPECIALISE(member, name, id) constants.push_back({id, has.member});
   CANDELA_FEATURES(CANDELA_SPECIALISE)
 #undef CANDELA_SPECIALISE
   for (std::uint32_t word = 0; word < gpu::kUniformKindWords; ++word) {
-    constants.push_back({gpu::kSpecUniformKinds + word, flat.uniformKinds[word]});
+    constants.push_back({gpu::kSpecUniformKinds + word, shape.uniformKinds[word]});
   }
   return constants;
 }
 
-vulkan::PipelineOptions kernelOptions(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+vulkan::PipelineOptions kernelOptions(const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                       bool texels, std::uint32_t pushConstantBytes) {
   using enum vulkan::BindingKind;
   return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
           .pushConstantBytes = pushConstantBytes,
-          .specialisations = specialise(flat, settings, texels)};
+          .specialisations = specialise(shape, settings, texels)};
 }
 
 }  // namespace candela::device

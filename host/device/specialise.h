@@ -2,17 +2,18 @@
 #pragma once
 #include <vector>
 
-#include "host/flatten/flat_scene.h"
+#include "host/flatten/scene_shape.h"
+#include "host/render/settings.h"
 #include "host/vulkan/compute_pipeline.h"
 
 namespace candela::device {
 
 /// Returns the specialisation constants. `texels`: the scene is read through the texel buffer.
-std::vector<vulkan::Specialisation> specialise(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+std::vector<vulkan::Specialisation> specialise(const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                                bool texels);
 
 /// Returns these constants and the bindings of shared/bindings.h, which all kernels have that read a scene.
-vulkan::PipelineOptions kernelOptions(const flatten::FlatScene& flat, const render::RenderSettings& settings,
+vulkan::PipelineOptions kernelOptions(const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                       bool texels, std::uint32_t pushConstantBytes);
 
 }  // namespace candela::device

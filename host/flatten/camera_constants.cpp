@@ -71,4 +71,9 @@ void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, con
   constants.aoDistance = aoDistance(camera, image);
 }
 
+void noteCamera(const scene::Camera& camera, const gpu::RenderConstants& constants, SceneShape& shape) {
+  shape.features.orthographic = camera.orthographicHeight.has_value();
+  shape.hasLens = constants.lensUp != glm::vec3(0);
+}
+
 }  // namespace candela::flatten

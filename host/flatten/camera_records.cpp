@@ -19,14 +19,14 @@ std::span<gpu::uvec4> slotOf(std::span<gpu::uvec4> rows, std::size_t slot) {
 
 // Returns the records from the first to the last sphere.
 RecordSpan sphereSpan(const FlatScene& flat) {
-  if (!flat.features.spheres) return {};
+  if (!flat.shape.features.spheres) return {};
   const std::uint32_t base = flat.constants.firstPrimitiveRow;
-  const std::span all = std::span(flat.rows).subspan(base, std::size_t{flat.slotCount} * gpu::kPrimitiveRows);
+  const std::span all = std::span(flat.rows).subspan(base, std::size_t{flat.shape.slotCount} * gpu::kPrimitiveRows);
   const auto hasSphere = [&](std::size_t slot) {
     return isSphere(all.subspan(slot * gpu::kPrimitiveRows, gpu::kPrimitiveRows));
   };
   std::size_t first = 0;
-  std::size_t end = flat.slotCount;
+  std::size_t end = flat.shape.slotCount;
   while (!hasSphere(first)) ++first;
   while (!hasSphere(end - 1)) --end;
   const std::span spheres = all.subspan(first * gpu::kPrimitiveRows, (end - first) * gpu::kPrimitiveRows);
@@ -45,11 +45,8 @@ void placeSpheres(const scene::Scene& scene, const scene::Camera& camera, std::s
 }  // namespace
 
 CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, const render::ImageSettings& image) {
-  CameraRecords records{.constants = flat.constants,
-                        .slotRows = flat.slotRows,
-                        .uniformSlots = flat.uniformSlots,
-                        .primitives = sphereSpan(flat),
-                        .pointLights = {}};
+  CameraRecords records{
+      .constants = flat.constants, .slotRows = flat.slotRows, .primitives = sphereSpan(flat), .pointLights = {}};
   if (image.integrator != render::Integrator::whitted || image.lightSize == 0) return records;
   records.pointLights = {flat.constants.firstLightRow,
                          pointLightRows(scene.pointLights, *scene.camera, image.lightSize)};
@@ -57,10 +54,10 @@ CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, 
 }
 
 void moveCamera(const scene::Scene& scene, const scene::Camera& camera, const render::ImageSettings& image,
-                CameraRecords& records) {
+                CameraRecords& records, SceneShape& shape) {
   setCamera(records.constants, camera, image);
-  placeSpheres(scene, camera,
-               std::span(records.slotRows).first(std::size_t{records.uniformSlots} * gpu::kPrimitiveRows));
+  noteCamera(camera, records.constants, shape);
+  placeSpheres(scene, camera, std::span(records.slotRows).first(std::size_t{shape.uniformSlots} * gpu::kPrimitiveRows));
   placeSpheres(scene, camera, records.primitives.rows);
   if (records.pointLights.rows.empty()) return;
   records.pointLights.rows = pointLightRows(scene.pointLights, camera, image.lightSize);

@@ -16,16 +16,15 @@ struct RecordSpan {
 struct CameraRecords {
   gpu::RenderConstants constants{};
   std::array<gpu::uvec4, gpu::kUniformRows> slotRows{};  ///< FlatScene::slotRows
-  std::uint32_t uniformSlots = 0;
-  RecordSpan primitives;   ///< from the first to the last sphere
-  RecordSpan pointLights;  ///< of the Whitted tracer
+  RecordSpan primitives;                                 ///< from the first to the last sphere
+  RecordSpan pointLights;                                ///< of the Whitted tracer
 };
 
 CameraRecords cameraRecordsOf(const scene::Scene& scene, const FlatScene& flat, const render::ImageSettings& image);
 
-/// Sets the records for `camera`; they equal those of a scene flattened with it. `scene` and `image` must be those from
-/// which the records were made.
+/// Sets the records and the shape for `camera`; they equal those of a scene flattened with it. `scene` and `image` must
+/// be those from which they were made.
 void moveCamera(const scene::Scene& scene, const scene::Camera& camera, const render::ImageSettings& image,
-                CameraRecords& records);
+                CameraRecords& records, SceneShape& shape);
 
 }  // namespace candela::flatten

@@ -71,7 +71,7 @@ std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, con
 
 }  // namespace
 
-render::LayoutInUse FlatScene::layout() const {
+render::LayoutInUse SceneShape::layout() const {
   if (uniformSlots > 0) return render::LayoutInUse::list;
   if (structure == gpu::kStructureBvh) return render::LayoutInUse::bvh2;
   return structure == gpu::kStructureWideBvh ? render::LayoutInUse::cwbvh : render::LayoutInUse::none;
@@ -81,47 +81,48 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   checkLimits(scene);
   FlatScene flat;
   setConstants(scene, settings, flat.constants);
-  flat.features = featuresOf(scene, settings.image.integrator);
+  flat.shape.features = featuresOf(scene, settings.image.integrator);
+  noteCamera(*scene.camera, flat.constants, flat.shape);
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const scene::Coincidences coincidences = scene::findCoincidences(scene);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
   const bool small = isSmall(scene, coincidences.coincident, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
   if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
-  const bool isList = small && flat.structure == gpu::kStructureNone;
+  const bool isList = small && flat.shape.structure == gpu::kStructureNone;
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   if (isList) {
     const auto marked = std::ranges::stable_partition(order,
                                                       [&](std::uint32_t i) { return !coincidences.coincident[i]; });
-    flat.firstMarkedSlot = static_cast<std::uint32_t>(marked.begin() - order.begin());
+    flat.shape.firstMarkedSlot = static_cast<std::uint32_t>(marked.begin() - order.begin());
   }
-  flat.slotCount = static_cast<std::uint32_t>(order.size());
-  flat.constants.slotCount = flat.slotCount;
+  flat.shape.slotCount = static_cast<std::uint32_t>(order.size());
+  flat.constants.slotCount = flat.shape.slotCount;
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
   const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
                              coincidenceFlags(scene, coincidences.coincident, settings.image.integrator),
                              coincidences.behind};
-  noteLights(table, marks.touched, flat.features);
-  flat.behindReach = coincidences.behindReach;
-  flat.coincident = coincidentKinds(scene, marks.coincidence);
+  noteLights(table, marks.touched, flat.shape.features);
+  flat.shape.behindReach = coincidences.behindReach;
+  flat.shape.coincident = coincidentKinds(scene, marks.coincidence);
   appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
-  flat.rowsAhead = limits.smallScene.rowsAhead;
+  flat.shape.rowsAhead = limits.smallScene.rowsAhead;
   if (isList) copySlotRows(flat);
   const SurfaceOrder surfaces = orderSurfaces(scene);
   appendMaterials(scene, settings.image.integrator, surfaces, flat);
   appendSurfaces(scene, surfaces, flat);
   if (whitted) {
     appendPointLights(scene, settings.image.lightSize, flat);
-    flat.constants.stateRows = treeRows(flat.features, settings.image.maxDepth);
+    flat.constants.stateRows = treeRows(flat.shape.features, settings.image.maxDepth);
   } else {
     appendLights(scene, table, order, flat);
   }
   flat.constants.firstTextureRow = rowCount(flat.rows);
-  if (flat.features.textures) {
-    flat.textureSlots = textureSlotsOf(scene);
+  if (flat.shape.features.textures) {
+    flat.shape.textureSlots = textureSlotsOf(scene);
     const Rows textures = textureRows(scene);
     flat.rows.insert(flat.rows.end(), textures.begin(), textures.end());
   }

@@ -74,7 +74,6 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
   features.deepTexels = features.textures && hasDeepTexels(scene);
   features.sky = scene.sky.has_value();
   features.environment = scene.environment.has_value();
-  features.orthographic = scene.camera && scene.camera->orthographicHeight;
   features.pointLights = integrator == render::Integrator::whitted && !scene.pointLights.empty();
   return features;
 }

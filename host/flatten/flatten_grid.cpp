@@ -68,7 +68,7 @@ std::vector<std::uint32_t> appendGrid(const accel::SceneBounds& bounds, float de
   const accel::Grid grid = buildGrid(bounds.bounds, {.density = double{density}, .maxSide = maxSide});
   noteQuality(grid, flat);
   setConstants(grid.shape, flat.constants);
-  flat.structure = gpu::kStructureGrid;
+  flat.shape.structure = gpu::kStructureGrid;
   flat.constants.firstStructureRow = rowCount(flat.rows);
   flat.rows.reserve(flat.rows.size() + grid.starts.size() / gpu::kCellsPerRow + grid.items.size() / gpu::kItemsPerRow +
                     2);

@@ -63,8 +63,8 @@ void noteQuality(const accel::BvhQuality& measured, FlatScene& flat) {
 
 // Appends binary nodes and returns the primitives, by index among the finite ones, in the order of the leaves.
 std::vector<std::uint32_t> appendTwoWide(const accel::Bvh& bvh, const accel::BvhQuality& measured, FlatScene& flat) {
-  if (bvh.nodes.size() > 1) flat.structure = gpu::kStructureBvh;
-  flat.stackSize = std::max(1u, measured.depth);
+  if (bvh.nodes.size() > 1) flat.shape.structure = gpu::kStructureBvh;
+  flat.shape.stackSize = std::max(1u, measured.depth);
   const Rows nodes = nodeRows(bvh);
   flat.rows.insert(flat.rows.end(), nodes.begin(), nodes.end());
   return bvh.primitiveIndices;
@@ -72,8 +72,8 @@ std::vector<std::uint32_t> appendTwoWide(const accel::Bvh& bvh, const accel::Bvh
 
 std::vector<std::uint32_t> appendWide(const accel::Bvh& bvh, FlatScene& flat) {
   accel::WideBvh wide = collapse(bvh);
-  flat.structure = gpu::kStructureWideBvh;
-  flat.stackSize = std::max(1u, wide.depth);
+  flat.shape.structure = gpu::kStructureWideBvh;
+  flat.shape.stackSize = std::max(1u, wide.depth);
   flat.structureQuality["depth"] = wide.depth;
   flat.structureQuality["nodes"] = wide.nodeCount;
   appendWideNodes(wide, flat.rows);

@@ -25,7 +25,7 @@ void appendSurfaces(const scene::Scene& scene, const SurfaceOrder& order, FlatSc
   flat.rows.insert(flat.rows.end(), surfaces.begin(), surfaces.end());
   flat.constants.firstEnergyRow = rowCount(flat.rows);
   if (surfaces.empty()) return;
-  const Rows energy = energyRows(flat.features);
+  const Rows energy = energyRows(flat.shape.features);
   flat.rows.insert(flat.rows.end(), energy.begin(), energy.end());
 }
 

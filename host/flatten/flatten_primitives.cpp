@@ -102,7 +102,7 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
   }
   // Vectors that grow would copy the records of large meshes several times. Memory beyond the part in use is never
   // touched.
-  const std::size_t attributeRows = order.size() * attributeRowsOf(flat.features);
+  const std::size_t attributeRows = order.size() * attributeRowsOf(flat.shape.features);
   Rows attributes;
   attributes.reserve(attributeRows);
   flat.rows.reserve(flat.rows.size() + order.size() * gpu::kPrimitiveRows + attributeRows);
@@ -121,12 +121,12 @@ void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> 
 }
 
 void copySlotRows(FlatScene& flat) {
-  flat.uniformSlots = flat.slotCount;
+  flat.shape.uniformSlots = flat.shape.slotCount;
   const auto first = flat.rows.begin() + flat.constants.firstPrimitiveRow;
-  std::copy_n(first, flat.uniformSlots * gpu::kPrimitiveRows, flat.slotRows.begin());
-  for (std::uint32_t slot = 0; slot < flat.uniformSlots; ++slot) {
+  std::copy_n(first, flat.shape.uniformSlots * gpu::kPrimitiveRows, flat.slotRows.begin());
+  for (std::uint32_t slot = 0; slot < flat.shape.uniformSlots; ++slot) {
     const std::uint32_t kindAndFlags = first[slot * gpu::kPrimitiveRows + 2].w & 0xffu;
-    flat.uniformKinds[slot / 4] |= kindAndFlags << 8 * (slot % 4);
+    flat.shape.uniformKinds[slot / 4] |= kindAndFlags << 8 * (slot % 4);
   }
 }
 

@@ -142,7 +142,7 @@ TEST_CASE("emission and opacity of 16 bits have the reference's pixels at equal 
 
 TEST_CASE("scenes without images of 16 bits have no code for them") {
   scene::Scene scene = squareOf(withTexture(test::diffuseMaterial(vec3(1)), TextureSlot::baseColour, kShallowNoise));
-  CHECK(flatten::flattenScene(scene, squareSettings(kSide, 1)).features.deepTexels);
+  CHECK(flatten::flattenScene(scene, squareSettings(kSide, 1)).shape.features.deepTexels);
   scene.images[0] = scene.images[1] = scene.images[2];
-  CHECK_FALSE(flatten::flattenScene(scene, squareSettings(kSide, 1)).features.deepTexels);
+  CHECK_FALSE(flatten::flattenScene(scene, squareSettings(kSide, 1)).shape.features.deepTexels);
 }

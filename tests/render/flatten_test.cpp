@@ -37,9 +37,9 @@ TEST_CASE("every primitive has one slot, with infinite planes last") {
     render::RenderSettings settings = smallSettings();
     settings.structure.accel = accel;
     const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
-    REQUIRE(flat.slotCount == scene.primitives.size());
+    REQUIRE(flat.shape.slotCount == scene.primitives.size());
     std::set<std::uint32_t> seen;
-    for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
+    for (std::uint32_t slot = 0; slot < flat.shape.slotCount; ++slot) {
       const std::uint32_t row = flat.constants.firstPrimitiveRow + slot * gpu::kPrimitiveRows;
       const std::uint32_t primitive = flat.rows[row + 1].w;
       const std::uint32_t kind = flat.rows[row + 2].w;
@@ -57,7 +57,7 @@ TEST_CASE("a huge sphere's anchor lies on it and k points from its centre") {
   render::RenderSettings settings = smallSettings();
   settings.structure.accel = render::AccelKind::none;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
-  for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
+  for (std::uint32_t slot = 0; slot < flat.shape.slotCount; ++slot) {
     const std::uint32_t row = flat.constants.firstPrimitiveRow + slot * gpu::kPrimitiveRows;
     const scene::Sphere& sphere = scene.spheres[scene.primitives[flat.rows[row + 1].w].index];
     const glm::dvec3 anchor = xyz(flat.rows[row]);
@@ -83,16 +83,16 @@ TEST_CASE("the record of a light refers to its primitive, and the primitive to t
 
 TEST_CASE("features that a scene does not use are disabled") {
   const flatten::FlatScene smallpt = flatten::flattenScene(loadFixture("smallpt.p3f"), smallSettings());
-  CHECK(smallpt.features.spheres);
-  CHECK(!smallpt.features.triangles);
-  CHECK(smallpt.features.sphereLights);
-  CHECK(!smallpt.features.pointLights);
-  CHECK(!smallpt.features.glossy);
-  CHECK(!smallpt.features.sky);
+  CHECK(smallpt.shape.features.spheres);
+  CHECK(!smallpt.shape.features.triangles);
+  CHECK(smallpt.shape.features.sphereLights);
+  CHECK(!smallpt.shape.features.pointLights);
+  CHECK(!smallpt.shape.features.glossy);
+  CHECK(!smallpt.shape.features.sky);
   render::RenderSettings withoutLightSampling = smallSettings();
   withoutLightSampling.image.nextEventEstimation = false;
-  CHECK(!flatten::flattenScene(loadFixture("smallpt.p3f"), withoutLightSampling).features.sphereLights);
-  CHECK(flatten::flattenScene(loadFixture("sky.p3f"), smallSettings()).features.sky);
+  CHECK(!flatten::flattenScene(loadFixture("smallpt.p3f"), withoutLightSampling).shape.features.sphereLights);
+  CHECK(flatten::flattenScene(loadFixture("sky.p3f"), smallSettings()).shape.features.sky);
 }
 
 TEST_CASE("a scene without primitives has no structure and no slots") {
@@ -102,8 +102,8 @@ TEST_CASE("a scene without primitives has no structure and no slots") {
     render::RenderSettings settings = smallSettings();
     settings.structure.accel = accel;
     const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
-    CHECK(flat.slotCount == 0);
-    CHECK(flat.structure == gpu::kStructureNone);
+    CHECK(flat.shape.slotCount == 0);
+    CHECK(flat.shape.structure == gpu::kStructureNone);
   }
 }
 
@@ -113,7 +113,7 @@ TEST_CASE("a grid's records contain three cells or four items each") {
   settings.structure.accel = render::AccelKind::grid;
   settings.structure.gridDensity = 3;
   const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
-  REQUIRE(flat.structure == gpu::kStructureGrid);
+  REQUIRE(flat.shape.structure == gpu::kStructureGrid);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, scene::findCoincidences(scene).coincident);
   const accel::Grid grid = buildGrid(bounds.bounds, {.density = 3});
   REQUIRE(flat.constants.gridSides == grid.shape.sides);

@@ -22,7 +22,7 @@ class SceneLeaf {
       : device_(openTestDevice()),
         flat_(flatten::flattenScene(scene, settings)),
         scene_(device_, flat_, render::SceneLoads::storage),
-        pipeline_(device_, spirv, optionsFor(flat_, settings)) {}
+        pipeline_(device_, spirv, optionsFor(flat_.shape, settings)) {}
 
   /// Runs `lanes` lanes on `inputs`; the push constants are `lanes` and `task`. Returns `outputs` values that they
   /// wrote.
@@ -44,8 +44,8 @@ class SceneLeaf {
   }
 
  private:
-  static vulkan::PipelineOptions optionsFor(const flatten::FlatScene& flat, const render::RenderSettings& settings) {
-    return kernelOptions(flat, settings, false, 2 * sizeof(std::uint32_t));
+  static vulkan::PipelineOptions optionsFor(const flatten::SceneShape& shape, const render::RenderSettings& settings) {
+    return kernelOptions(shape, settings, false, 2 * sizeof(std::uint32_t));
   }
 
   vulkan::Device device_;

@@ -64,8 +64,8 @@ TEST_CASE("a small scene has at most four surfaces that coincide, which come las
                   .scene;
   const flatten::FlatScene flat = flatten::flattenScene(scene, render::defaultSettings(),
                                                         {.maxGridSide = flatten::kAnyGridSide, .smallScene = rule});
-  CHECK(flat.uniformSlots == 4);
-  CHECK(flat.firstMarkedSlot == 2);
+  CHECK(flat.shape.uniformSlots == 4);
+  CHECK(flat.shape.firstMarkedSlot == 2);
   for (std::uint32_t slot = 0; slot < 4; ++slot) {
     const bool marked = (flat.slotRows[slot * gpu::kPrimitiveRows + 2].w & gpu::kFlagCoincident) != 0;
     CHECK(marked == (slot >= 2));
@@ -89,22 +89,22 @@ TEST_CASE("a small scene has its records in the uniform buffer too, unless a str
   render::RenderSettings settings = render::defaultSettings();
   settings.image.size = {8, 8};
   const flatten::FlatScene row = flatten::flattenScene(scene, settings, limits);
-  REQUIRE(row.uniformSlots == scene.primitives.size());
-  CHECK(row.structure == gpu::kStructureNone);
-  for (std::uint32_t i = 0; i < row.uniformSlots * gpu::kPrimitiveRows; ++i) {
+  REQUIRE(row.shape.uniformSlots == scene.primitives.size());
+  CHECK(row.shape.structure == gpu::kStructureNone);
+  for (std::uint32_t i = 0; i < row.shape.uniformSlots * gpu::kPrimitiveRows; ++i) {
     CHECK(row.slotRows[i] == row.rows[row.constants.firstPrimitiveRow + i]);
   }
   settings.structure.bvhLayout = render::BvhLayout::cwbvh;
-  CHECK(flatten::flattenScene(scene, settings, limits).structure == gpu::kStructureWideBvh);
+  CHECK(flatten::flattenScene(scene, settings, limits).shape.structure == gpu::kStructureWideBvh);
   // A BVH of one leaf is none, and its primitives are a list again.
   const flatten::FlatScene leaf = flatten::flattenScene(scattered(kSphere, 1), settings, limits);
-  CHECK(leaf.layout() == render::LayoutInUse::list);
-  CHECK(leaf.firstMarkedSlot == 1);
+  CHECK(leaf.shape.layout() == render::LayoutInUse::list);
+  CHECK(leaf.shape.firstMarkedSlot == 1);
   settings.structure.bvhLayout = render::BvhLayout::automatic;
   settings.structure.accel = render::AccelKind::grid;
-  CHECK(flatten::flattenScene(scene, settings, limits).uniformSlots == 0);
+  CHECK(flatten::flattenScene(scene, settings, limits).shape.uniformSlots == 0);
   settings.structure.accel = render::AccelKind::bvh;
-  CHECK(flatten::flattenScene(scene, settings).structure ==
+  CHECK(flatten::flattenScene(scene, settings).shape.structure ==
         gpu::kStructureWideBvh);  // by the other rule it is not small
 }
 

@@ -41,9 +41,9 @@ TEST_CASE("every surface that a light touches is marked, and the flat scene has 
       b.pointLight(surface.light + shift, vec3(1));
       CHECK_FALSE(touchedIn(b.scene).empty());
       const flatten::FlatScene flat = flatten::flattenScene(b.scene, test::settingsOf(8, 8, 1));
-      CHECK(flat.features.touched);
+      CHECK(flat.shape.features.touched);
       std::size_t marks = 0;
-      for (std::uint32_t slot = 0; slot < flat.slotCount; ++slot) {
+      for (std::uint32_t slot = 0; slot < flat.shape.slotCount; ++slot) {
         const std::uint32_t row = flat.constants.firstPrimitiveRow + slot * gpu::kPrimitiveRows;
         marks += (flat.rows[row + 2].w & gpu::kFlagTouched) != 0;
       }
