@@ -34,10 +34,12 @@ FilmMeans::FilmMeans(vulkan::Device device, const render::Extent& size)
 
 bool FilmMeans::update(render::Session& session) {
   const auto* const source = dynamic_cast<const GpuSession*>(&session);
-  const vulkan::Buffer* const film = source != nullptr ? source->residentFilm() : nullptr;
-  if (film == nullptr || !film->isOn(device_)) return false;
-  const vulkan::BindingSet bindings(pipeline_, {film, &buffer_});
-  const PushConstants push{source->filmSize(), size_, source->radianceOfOne()};
+  if (source == nullptr) return false;
+  const DeviceFilm& film = source->deviceFilm();
+  const vulkan::Buffer* const samples = film.buffer();
+  if (samples == nullptr || !samples->isOn(device_)) return false;
+  const vulkan::BindingSet bindings(pipeline_, {samples, &buffer_});
+  const PushConstants push{film.size(), size_, film.radianceOfOne()};
   device_.run([&](vulkan::CommandRecorder& recorder) {
     recorder.dispatch(pipeline_, bindings, std::as_bytes(std::span(&push, 1)),
                       {divideUp(size_.width, kGroupSide), divideUp(size_.height, kGroupSide), 1});

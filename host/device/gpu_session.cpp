@@ -1,4 +1,5 @@
-// Prepares a session, and keeps its film. A band stays on the device until another one needs its buffers.
+// Prepares a session, and traces its samples band by band. A band stays on the device until another one needs its
+// buffers.
 #include "host/device/gpu_session.h"
 
 #include <fmt/format.h>
@@ -6,13 +7,12 @@
 #include <algorithm>
 #include <span>
 
-#include "host/core/divide_up.h"
 #include "host/core/errors.h"
+#include "host/core/setting_words.h"
 #include "host/core/stopwatch.h"
 #include "host/device/band_layout.h"
 #include "host/device/device_memory.h"
 #include "host/device/device_replay.h"
-#include "host/device/hit_lists.h"
 #include "host/device/small_scene_rule.h"
 #include "host/device/specialise.h"
 #include "host/device/wavefront.h"
@@ -36,16 +36,15 @@ void describeBuild(const render::StructureSettings& structure, render::RenderSta
 
 GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scene& scene,
                        const render::RenderSettings& settings)
-    : context_(std::move(context)), scene_(scene), settings_(settings) {
+    : context_(std::move(context)), scene_(scene), settings_(settings), film_(scene, settings.image.layers) {
   const vulkan::DeviceInfo& info = context_->device.info();
   render::requireIntegrator(scene_, settings_);
   requireWorkgroup(info, settings_.execution.workgroupInUse());
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   prepareScene();
-  if (hasMattes(settings_.image.layers)) matteIds_.emplace(scene_);
-  bandHeight_ = preferredBandHeight();
+  film_.setBandHeight(preferredBandHeight());
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
-  film_ = render::emptyFilm(settings_.image, settings_.image.window().extent());
+  film_.resize(settings_.image);
   startCounting();
 }
 
@@ -102,36 +101,14 @@ std::vector<vulkan::ComputePipeline> GpuSession::pipelinesOf(const Kernel& kerne
   return pipelines;
 }
 
-BandRows GpuSession::bandAt(std::uint32_t index) const {
-  const std::uint32_t first = index * bandHeight_;
-  return {first, std::min(bandHeight_, film_.height() - first)};
-}
-
-std::uint32_t GpuSession::bandCount() const { return divideUp(film_.height(), bandHeight_); }
-
-std::span<image::FilmPixel> GpuSession::filmOf(BandRows rows) {
-  const std::uint64_t width = film_.width();
-  return {film_.pixels().data() + width * rows.first, width * rows.height};
-}
-
-std::span<image::LayerRow> GpuSession::layersOf(BandRows rows) {
-  const std::uint64_t width = film_.layerRows().size() / film_.height();
-  return std::span(film_.layerRows()).subspan(width * rows.first, width * rows.height);
-}
-
 void GpuSession::startCounting() {
   statistics_ = prepared_;
   counted_.reset();
-  loaded_ = {};
   paths_.clear();
 }
 
-// The next band that becomes resident starts from film_.
 void GpuSession::empty() {
   film_.clear();
-  coverage_ = {};
-  mask_.clear();
-  resident_.reset();
   startCounting();
 }
 
@@ -162,20 +139,20 @@ std::uint32_t GpuSession::preferredBandHeight() const {
 std::uint64_t GpuSession::hostBytes() const { return hostMemoryNeed(scene_, settings_); }
 
 std::uint64_t GpuSession::bufferBytes() const {
-  return prepared_.deviceBytes + (band_ ? 0 : bandRowBytes(kernel_, settings_) * bandHeight_);
+  return prepared_.deviceBytes + (band_ ? 0 : bandRowBytes(kernel_, settings_) * film_.bandHeight());
 }
 
 // Keeps the buffers of the band if the image fits into them.
 void GpuSession::fitBand() {
   const render::Extent size = settings_.image.size;
   if (band_ && band_->setWidth(size.width) >= size.height) {
-    bandHeight_ = size.height;
+    film_.setBandHeight(size.height);
     return;
   }
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   band_.reset();
   prepared_.deviceBytes -= bytesBefore - context_->device.memoryUse().currentBytes;
-  bandHeight_ = preferredBandHeight();
+  film_.setBandHeight(preferredBandHeight());
 }
 
 void GpuSession::setView(const scene::Camera& camera, const render::Extent& size) {
@@ -183,49 +160,136 @@ void GpuSession::setView(const scene::Camera& camera, const render::Extent& size
   settings_.image.size = size;
   cameraRecords_.constants.imageWidth = size.width;
   cameraRecords_.constants.imageHeight = size.height;
-  resident_.reset();
-  film_ = render::emptyFilm(settings_.image, size);
+  film_.resize(settings_.image);
   fitBand();
   setCamera(camera);
-}
-
-const vulkan::Buffer* GpuSession::residentFilm() const {
-  return resident_ && bandCount() == 1 ? &band_->film() : nullptr;
 }
 
 void GpuSession::load(const image::Film& film, std::uint32_t first) {
   const render::FilmCoverage coverage = render::coverageOf(film, first, settings_.image.window().extent(),
                                                            settings_.image.sampleCount);
   render::requireSameSums(film, settings_.image);
-  empty();
-  film_ = film;
-  coverage_ = coverage;
-  loaded_ = film_.counts();
+  film_.load(film, coverage);
+  startCounting();
 }
 
-void GpuSession::fetchFilm() {
-  if (!resident_) return;
+// Returns null if device memory has no room for a band of this height and a smaller one is possible.
+std::unique_ptr<Band> GpuSession::tryBand() {
+  try {
+    return std::make_unique<Band>(context_->device, kernel_, pipelinesOf(kernel_), *deviceScene_, settings_,
+                                  film_.bandHeight());
+  } catch (const OutOfMemoryError& error) {
+    if (film_.bandHeight() == 1) throw;
+    statistics_.warnings.push_back(
+        fmt::format("trying again with bands of {} rows: {}", (film_.bandHeight() + 1) / 2, error.what()));
+    return nullptr;
+  }
+}
+
+// Not called during preparation, because a session that only replays samples needs no band.
+void GpuSession::makeBand() {
+  const vulkan::MemoryUse before = context_->device.memoryUse();
+  while ((band_ = tryBand()) == nullptr) film_.setBandHeight((film_.bandHeight() + 1) / 2);
+  const vulkan::MemoryUse now = context_->device.memoryUse();
+  prepared_.deviceBytes += now.currentBytes - before.currentBytes;
+  statistics_.deviceBytes = prepared_.deviceBytes;
+  if (now.systemBytes == before.systemBytes) return;
+  statistics_.warnings.push_back(fmt::format(
+      "the memory of {} is full, so that {} MiB are in system memory, which is slower: close other programs "
+      "that use the device, or render a smaller image or a part of it ({} or {})",
+      context_->device.info().name, (now.systemBytes - before.systemBytes) >> 20, settingWords("size"),
+      settingWords("crop")));
+}
+
+// Takes the results of the resident band from the device.
+void GpuSession::retire() {
+  if (!film_.residentBand()) return;
+  film_.update(statistics_);
+  counted_.reset();
+  band_->addCounts(statistics_);
+  if (settings_.execution.recordPaths) band_->readRecords(paths_);
+  film_.release();
+}
+
+void GpuSession::restrictTo(const render::PixelMask& mask) {
+  retire();
+  film_.restrictTo(mask);
+}
+
+// A pixel's list of hits has room for kListedHits samples. The host counts them before more are traced, so that film_
+// has fetched all samples of earlier steps.
+bool GpuSession::finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
+                               const std::function<void(std::uint64_t)>& samplesFinished) {
+  std::uint32_t end = film_.coverage().first + film_.minSamples(rows);
+  bool finished = true;
+  while (finished && end < sampleEnd) {
+    end = std::min(end + gpu::kListedHits, sampleEnd);
+    finished = band_->finish(end, film_.pixelsLacking(rows, end), budget_, control, statistics_, samplesFinished);
+    film_.fetch(statistics_);
+  }
+  return finished;
+}
+
+bool GpuSession::advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
+                             const std::function<void(std::uint64_t)>& samplesFinished) {
   Stopwatch watch;
-  band_->readFilm(filmOf(bandAt(*resident_)), layersOf(bandAt(*resident_)));
-  if (matteIds_) addListedHits(band_->readHitLists(), bandAt(*resident_).first, coverage_.first, *matteIds_, film_);
-  statistics_.seconds["readBack"] += watch.lap();
-  isFetched_ = true;
+  counted_.reset();
+  if (!band_) makeBand();  // first, since it decides the height of all bands
+  const BandRows rows = film_.rowsOf(index);
+  const std::uint64_t lacking = film_.pixelsLacking(rows, sampleEnd);
+  if (lacking == 0) return true;
+  if (film_.residentBand() != index) retire();
+  film_.makeResident(index, *band_);
+  if (!warm_) {
+    band_->warmUp(sampleEnd, budget_);
+    warm_ = true;
+    prepared_.seconds["pipeline"] += watch.lap();
+    statistics_.seconds["pipeline"] = prepared_.seconds["pipeline"];
+  }
+  const bool finished = hasMattes(settings_.image.layers)
+                            ? finishBySteps(rows, sampleEnd, control, samplesFinished)
+                            : band_->finish(sampleEnd, lacking, budget_, control, statistics_, samplesFinished);
+  statistics_.seconds["trace"] += watch.lap();
+  return finished;
 }
 
-void GpuSession::updateFilm() {
-  if (!isFetched_) fetchFilm();
+bool GpuSession::advance(render::SampleRange range, const render::RenderControl& control) {
+  if (film_.coverage().isUneven()) film_.update(statistics_);
+  const std::uint32_t covered = film_.minSamples();
+  render::requireContiguous(range, film_.coverage(), covered, settings_.image.sampleCount);
+  if (film_.coverage().isEmpty()) film_.startAt(range.first);
+  const std::uint32_t coveredEnd = film_.coverage().first + covered;
+  if (range.end <= coveredEnd) return true;
+
+  const render::Extent size = film_.size();
+  const double total = static_cast<double>(std::uint64_t{size.width} * size.height) * (range.end - coveredEnd);
+  std::uint64_t done = 0;
+  const auto count = [&](std::uint64_t fresh) {
+    done += fresh;
+    if (control.progress) control.progress(std::min(1.0, static_cast<double>(done) / total), done);
+  };
+  bool finished = true;
+  for (std::uint32_t i = 0; i < film_.bandCount() && finished; ++i) {
+    finished = advanceBand(i, range.end, control, count);
+  }
+  if (finished) {
+    film_.noteFinished(range.end);
+  } else {
+    film_.noteUneven();
+  }
+  return finished;
 }
 
 image::Film GpuSession::film() {
-  updateFilm();
-  return film_;
+  film_.update(statistics_);
+  return film_.fetched();
 }
 
 render::RenderStatistics GpuSession::statistics() {
-  updateFilm();
+  film_.update(statistics_);
   if (!counted_) {
     render::RenderStatistics result = statistics_;
-    if (resident_) band_->addCounts(result);
+    if (film_.residentBand()) band_->addCounts(result);
     countSamples(result);
     counted_ = std::move(result);
   }
@@ -233,22 +297,22 @@ render::RenderStatistics GpuSession::statistics() {
 }
 
 void GpuSession::countSamples(render::RenderStatistics& statistics) const {
-  const image::FilmCounts counts = film_.counts();
-  statistics.samples += counts.samples - loaded_.samples;
-  statistics.badSamples += counts.badSamples - loaded_.badSamples;
+  const image::FilmCounts added = film_.added();
+  statistics.samples += added.samples;
+  statistics.badSamples += added.badSamples;
 }
 
 render::Salvage GpuSession::salvage() {
   render::Salvage salvage{{}, statistics_};
-  if (resident_) salvage.statistics.truncated += band_->truncated();
+  if (film_.residentBand()) salvage.statistics.truncated += band_->truncated();
   countSamples(salvage.statistics);
-  salvage.film = std::move(film_);
+  salvage.film = film_.take();
   return salvage;
 }
 
 render::PathRecords GpuSession::paths() {
   render::PathRecords paths = paths_;
-  if (resident_) band_->readRecords(paths);
+  if (film_.residentBand()) band_->readRecords(paths);
   return paths;
 }
 

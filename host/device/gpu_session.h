@@ -6,13 +6,12 @@
 
 #include "host/device/band.h"
 #include "host/device/device_context.h"
+#include "host/device/device_film.h"
 #include "host/device/device_scene.h"
 #include "host/device/kernel.h"
 #include "host/device/loop_budget.h"
 #include "host/flatten/camera_records.h"
-#include "host/render/film_coverage.h"
 #include "host/render/session.h"
-#include "host/scene/object_names.h"
 
 namespace candela::device {
 
@@ -39,17 +38,13 @@ class GpuSession final : public render::Session, public render::SampleReplayer, 
   render::PathRecorder* recorder() override { return settings_.execution.recordPaths ? this : nullptr; }
   render::PathRecords paths() override;
 
-  /// Returns the film in device memory, or null if the device does not have all of it: no sample was traced since the
-  /// film was emptied or loaded, or the image has several bands. It may be called while advance() reports progress.
-  const vulkan::Buffer* residentFilm() const;
+  /// Returns the film, also while advance() reports progress.
+  const DeviceFilm& deviceFilm() const { return film_; }
   const vulkan::DeviceInfo& deviceInfo() const { return context_->device.info(); }
   /// Returns hostMemoryNeed() of the session's render.
   std::uint64_t hostBytes() const;
   /// Returns the bytes of all buffers of the session, including those of a band that is created later.
   std::uint64_t bufferBytes() const;
-  render::Extent filmSize() const { return {film_.width(), film_.height()}; }
-  /// image::Film::radianceOfOne() of the film, which binary32 represents exactly.
-  float radianceOfOne() const { return static_cast<float>(film_.radianceOfOne()); }
 
  private:
   void prepareScene();
@@ -58,21 +53,12 @@ class GpuSession final : public render::Session, public render::SampleReplayer, 
   std::vector<vulkan::ComputePipeline> pipelinesOf(const Kernel& kernel);
   void empty();
   void startCounting();
-  BandRows bandAt(std::uint32_t index) const;
-  std::uint32_t bandCount() const;
-  std::span<image::FilmPixel> filmOf(BandRows rows);
-  std::span<image::LayerRow> layersOf(BandRows rows);
   void countSamples(render::RenderStatistics& statistics) const;
   std::unique_ptr<Band> tryBand();
   void makeBand();
   std::uint32_t preferredBandHeight() const;
   void fitBand();
   void retire();
-  void makeResident(std::uint32_t index);
-  void fetchFilm();
-  void updateFilm();
-  std::uint64_t countLackingIn(BandRows rows, std::uint32_t sampleEnd);
-  std::uint64_t pixelsLacking(BandRows rows, std::uint32_t sampleEnd);
   bool finishBySteps(BandRows rows, std::uint32_t sampleEnd, const render::RenderControl& control,
                      const std::function<void(std::uint64_t)>& samplesFinished);
   bool advanceBand(std::uint32_t index, std::uint32_t sampleEnd, const render::RenderControl& control,
@@ -86,22 +72,15 @@ class GpuSession final : public render::Session, public render::SampleReplayer, 
   Kernel kernel_;
   LoopBudget budget_;
   std::unique_ptr<DeviceScene> deviceScene_;
-  std::uint32_t bandHeight_ = 0;
   std::unique_ptr<Band> band_;  ///< created when it is first needed
   bool warm_ = false;           ///< the driver has compiled the pipelines
 
-  image::Film film_;                       ///< except for the resident band, whose newer film is on the device
-  render::FilmCoverage coverage_;          ///< of the film, including the part on the device
-  render::PixelMask mask_;                 ///< pixels to which advance() is restricted
-  std::optional<std::uint32_t> resident_;  ///< index of the band that is on the device
-  bool isFetched_ = false;                 ///< film_ has all samples of the resident band
+  DeviceFilm film_;
   /// The result of statistics(), until something changes it: counting takes a copy of all path states.
   std::optional<render::RenderStatistics> counted_;
-  render::RenderStatistics prepared_;        ///< of preparation
-  render::RenderStatistics statistics_;      ///< of all work, except for the resident band's counts
-  image::FilmCounts loaded_;                 ///< of the film that was loaded
-  std::optional<scene::MatteIds> matteIds_;  ///< of a render with mattes
-  render::PathRecords paths_;                ///< of the bands before the resident one
+  render::RenderStatistics prepared_;    ///< of preparation
+  render::RenderStatistics statistics_;  ///< of all work, except for the resident band's counts
+  render::PathRecords paths_;            ///< of the bands before the resident one
 };
 
 }  // namespace candela::device

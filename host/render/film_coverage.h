@@ -18,6 +18,7 @@ struct FilmCoverage {
 
   static constexpr std::uint32_t kUneven = 0xffffffffu;
   bool isEmpty() const { return samples == 0; }
+  bool isUneven() const { return samples == kUneven; }
 };
 
 /// Returns the coverage of `film`, whose pixels start at sample `first`. Throws UsageError if the film's size is not
