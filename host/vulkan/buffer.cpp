@@ -57,7 +57,7 @@ Buffer::Impl::Impl(std::shared_ptr<Device::Impl> owner, std::uint64_t bytes, Usa
     : device(std::move(owner)), usage(uses) {
   requireBindable(*device, bytes, usage);
   const bool onHost = has(usage, Usage::readback);
-  raw = device->allocate(bytes, vulkanUsage(usage), onHost ? MemoryPreference::host : MemoryPreference::device);
+  raw = allocate(*device, bytes, vulkanUsage(usage), onHost ? MemoryPreference::host : MemoryPreference::device);
   if (has(usage, Usage::uniformTexel)) {
     texelView = guarded("create a texel view", [&] {
       return device->handle.createBufferView({{}, *raw.handle, vk::Format::eR32G32B32A32Uint, 0, VK_WHOLE_SIZE});

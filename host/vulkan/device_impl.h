@@ -1,4 +1,4 @@
-// The Vulkan handles of a Device, and raw buffers, which Buffer and staging use.
+// The Vulkan handles of a Device, and the work that it submits.
 #pragma once
 #include <atomic>
 #include <functional>
@@ -9,25 +9,12 @@
 #include "host/vulkan/device.h"
 #include "host/vulkan/hang_limit.h"
 #include "host/vulkan/instance.h"
+#include "host/vulkan/memory.h"
 #include "host/vulkan/memory_tally.h"
 #include "host/vulkan/recording.h"
 #include "host/vulkan/residents.h"
 
 namespace candela::vulkan {
-
-enum class MemoryPreference {
-  device,  ///< fast for the device
-  host,    ///< mapped, and fast for the host to read
-};
-
-/// A buffer with its own memory. The order of the members matters: the buffer is destroyed before its memory.
-struct RawBuffer {
-  vk::raii::DeviceMemory memory{nullptr};
-  vk::raii::Buffer handle{nullptr};
-  std::uint64_t bytes = 0;
-  std::byte* mapped = nullptr;    ///< null if the host cannot or should not map it
-  bool isInSystemMemory = false;  ///< device memory was preferred, but had no room
-};
 
 struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   DeviceInfo info;
@@ -57,8 +44,6 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device, const DeviceInfo& deviceInfo,
        const DeviceOptions& deviceOptions);
 
-  /// Tries the suitable memory types in the order of `preference`. Throws OutOfMemoryError.
-  RawBuffer allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference);
   RawBuffer& staging();
 
   /// Adds a command to the recording, if there is one. `make` returns the command.

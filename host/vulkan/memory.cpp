@@ -1,4 +1,6 @@
 // Chooses memory for buffers: the memory types of a device and their order.
+#include "host/vulkan/memory.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -68,20 +70,22 @@ vk::raii::DeviceMemory tryAllocate(const Device::Impl& device, std::uint64_t byt
 
 }  // namespace
 
-RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage, MemoryPreference preference) {
-  const std::string doing = fmt::format("create a buffer of {} bytes on {}", bytes, info.name);
+RawBuffer allocate(const Device::Impl& device, std::uint64_t bytes, vk::BufferUsageFlags usage,
+                   MemoryPreference preference) {
+  const vk::PhysicalDeviceMemoryProperties& memory = device.memoryProperties;
+  const std::string doing = fmt::format("create a buffer of {} bytes on {}", bytes, device.info.name);
   try {
     RawBuffer buffer;
     buffer.bytes = bytes;
-    buffer.handle = handle.createBuffer({{}, bytes, usage, vk::SharingMode::eExclusive});
+    buffer.handle = device.handle.createBuffer({{}, bytes, usage, vk::SharingMode::eExclusive});
     const vk::MemoryRequirements needs = buffer.handle.getMemoryRequirements();
-    for (const std::uint32_t type : suitableTypes(memoryProperties, needs.memoryTypeBits, preference)) {
-      buffer.memory = tryAllocate(*this, needs.size, type);
+    for (const std::uint32_t type : suitableTypes(memory, needs.memoryTypeBits, preference)) {
+      buffer.memory = tryAllocate(device, needs.size, type);
       if (!*buffer.memory) continue;
       buffer.handle.bindMemory(*buffer.memory, 0);
       const bool map = preference == MemoryPreference::host ||
-                       (options.mapDeviceMemory && isUnified(memoryProperties.memoryTypes[type].propertyFlags));
-      const bool isOnDevice = bool(memoryProperties.memoryTypes[type].propertyFlags & Flag::eDeviceLocal);
+                       (device.options.mapDeviceMemory && isUnified(memory.memoryTypes[type].propertyFlags));
+      const bool isOnDevice = bool(memory.memoryTypes[type].propertyFlags & Flag::eDeviceLocal);
       buffer.isInSystemMemory = preference == MemoryPreference::device && !isOnDevice;
       if (map) buffer.mapped = static_cast<std::byte*>(buffer.memory.mapMemory(0, VK_WHOLE_SIZE));
       return buffer;
@@ -90,15 +94,7 @@ RawBuffer Device::Impl::allocate(std::uint64_t bytes, vk::BufferUsageFlags usage
     throwTranslated(error, doing);
   }
   throw OutOfMemoryError(fmt::format("cannot {}, whose buffers already occupy {} of its {} bytes", doing,
-                                     memory.use().currentBytes, info.memoryBytes));
-}
-
-RawBuffer& Device::Impl::staging() {
-  if (!stagingBuffer) {
-    const auto usage = vk::BufferUsageFlagBits::eTransferSrc | vk::BufferUsageFlagBits::eTransferDst;
-    stagingBuffer = allocate(options.stagingBytes, usage, MemoryPreference::host);
-  }
-  return *stagingBuffer;
+                                     device.memory.use().currentBytes, device.info.memoryBytes));
 }
 
 }  // namespace candela::vulkan

@@ -52,7 +52,7 @@ void GuiPainter::makeFont() {
   ImGui::GetIO().Fonts->GetTexDataAsRGBA32(&pixels, &width, &height);
   fontSize_ = vk::Extent3D(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height), 1);
   const std::uint64_t bytes = std::uint64_t{4} * fontSize_.width * fontSize_.height;
-  fontPixels_ = device.allocate(bytes, vk::BufferUsageFlagBits::eTransferSrc, MemoryPreference::host);
+  fontPixels_ = allocate(device, bytes, vk::BufferUsageFlagBits::eTransferSrc, MemoryPreference::host);
   std::memcpy(fontPixels_.mapped, pixels, bytes);
   font_ = device.handle.createImage({{},
                                      vk::ImageType::e2D,
@@ -147,7 +147,7 @@ void GuiPainter::fillFont(const Presenter::Frame& frame) {
 void GuiPainter::upload(const ImDrawData& data) {
   const auto grow = [&](vulkan::RawBuffer& buffer, std::uint64_t bytes, vk::BufferUsageFlags usage) {
     if (buffer.bytes >= bytes && buffer.bytes > 0) return;
-    buffer = device_.impl()->allocate(std::max(2 * bytes, kMinBufferBytes), usage, MemoryPreference::host);
+    buffer = allocate(*device_.impl(), std::max(2 * bytes, kMinBufferBytes), usage, MemoryPreference::host);
   };
   grow(vertices_, sizeof(ImDrawVert) * static_cast<std::uint64_t>(data.TotalVtxCount),
        vk::BufferUsageFlagBits::eVertexBuffer);
