@@ -1,27 +1,46 @@
-// The loop of the worker: take requests, decide on the next step, run it, show its result.
+// The worker of a viewer. Members that belong to the window's thread post requests; the loop of the engine's thread
+// takes them, decides on the next step, runs it and shows its result.
 #include "host/view/engine.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "host/core/errors.h"
 #include "host/core/progress.h"
 #include "host/explain/explanation.h"
+#include "host/image/false_colour.h"
 #include "host/scene/object_names.h"
 #include "host/view/camera_text.h"
-#include "host/view/worst_sample.h"
 
 namespace candela::view {
 namespace {
 
 constexpr double kFirstSeconds = 0.05;   // for which requests do not interrupt the first picture of a view
 constexpr double kPartialSeconds = 0.1;  // between two pictures of an unfinished step in full resolution
+constexpr std::uint32_t kSearchedSamples = 64;
 
 std::shared_ptr<const std::map<std::uint32_t, std::string>> matteNamesOf(const scene::Scene& scene, ShownLayer layer) {
   const auto kind = layer ? matteKindOf(*layer) : std::nullopt;
   if (!kind) return nullptr;
   return std::make_shared<const std::map<std::uint32_t, std::string>>(scene::matteNamesById(scene, *kind));
+}
+
+// Returns the index of the sample among the first `count` of a pixel on which the two sides agree least. Its radiance
+// is replayed on both. At most kSearchedSamples are searched.
+std::uint32_t worstSample(render::SampleReplayer& device, render::SampleReplayer& reference, render::PixelSample sample,
+                          std::uint32_t count) {
+  double worst = -1;
+  std::uint32_t found = 0;
+  for (sample.index = 0; sample.index < std::clamp(count, 1u, kSearchedSamples); ++sample.index) {
+    const glm::dvec3 radiance = device.replay(sample).path.radiance;
+    const double apart = glm::distance(radiance, reference.replay(sample).path.radiance);
+    if (apart <= worst) continue;
+    worst = apart;
+    found = sample.index;
+  }
+  return found;
 }
 
 }  // namespace
@@ -37,6 +56,47 @@ Engine::Engine(EngineHooks hooks, Choice choice, Mode mode)
 Engine::~Engine() {
   inbox_.end();
   thread_.join();
+}
+
+EngineView Engine::view() const {
+  const std::scoped_lock lock(mutex_);
+  return published_;
+}
+
+std::uint64_t Engine::setCamera(const scene::Camera& camera) {
+  std::uint64_t serial = 0;
+  inbox_.post([&](Requests& requests) {
+    requests.camera = camera;
+    serial = ++requests.viewSerial;
+  });
+  return serial;
+}
+
+void Engine::setMode(Mode mode, bool isPaused) {
+  inbox_.post([&](Requests& requests) { requests.mode = {mode, isPaused}; });
+}
+
+void Engine::setChoice(const Choice& choice) {
+  inbox_.post([&](Requests& requests) { requests.load = choice; });
+}
+
+void Engine::reload() {
+  const Choice current = view().choice;
+  inbox_.post([&](Requests& requests) {
+    if (!requests.load) requests.load = current;
+    requests.reads = true;
+  });
+}
+
+void Engine::save(const std::filesystem::path& file, const image::DisplayTransform& display) {
+  inbox_.post([&](Requests& requests) { requests.save = {file, display}; });
+}
+
+void Engine::explain(const render::PixelSample& sample, bool searches) {
+  inbox_.post([&](Requests& requests) {
+    requests.sample = sample;
+    requests.searches = searches;
+  });
 }
 
 void Engine::loop() {
@@ -207,6 +267,73 @@ void Engine::finish(const Step& step, double seconds) {
   measureRanges();
   publish();
   finishSave();
+}
+
+// Copies the film of a side to its picture. Layers are converted on the host.
+void Engine::show(Side side) {
+  SideView& view = next_.sides[indexOf(side)];
+  render::Session& session = *sessions_.session(side);
+  view.isOnDevice = side == Side::device && !choice_.layer && hooks_.showOnDevice(session, next_.size);
+  view.scale = std::max(schedule_->scale(side), 1u);
+  view.samples = schedule_->samples(side);
+  if (view.isOnDevice) {
+    view.picture = nullptr;
+    return;
+  }
+  auto picture = std::make_shared<Picture>(*pictures_[indexOf(side)]);
+  picture->isLight = isLight(choice_.layer);
+  if (choice_.layer) {
+    showLayer(session.film(), *choice_.layer, *picture);
+  } else {
+    view::show(session.film(), *picture);
+  }
+  pictures_[indexOf(side)] = picture;
+  view.picture = std::move(picture);
+}
+
+// Measures the values to which the colours of the shown side are fitted.
+void Engine::measureRanges() {
+  const Side side = wants(mode_, Side::device) && sessions_.device ? Side::device : Side::reference;
+  if (choice_.layer == image::Layer::depth || choice_.layer == image::Layer::position) {
+    next_.layerRange = rangeOf(*pictures_[indexOf(side)]);
+    return;
+  }
+  const bool isDepth = choice_.integrator == render::Integrator::depth;
+  if (!isDepth && choice_.integrator != render::Integrator::cost) return;
+  const image::ToneMap toneMap = isDepth ? image::ToneMap::depth : image::ToneMap::heat;
+  next_.falseColourScale = falseColourScale(toImage(sessions_.session(side)->film()), toneMap);
+}
+
+// Both sides have been shown with the same number of samples. A picture that is on the device is read back.
+void Engine::compareSides() {
+  std::shared_ptr<const Picture> device = next_.sides[indexOf(Side::device)].picture;
+  if (!device) {
+    auto picture = std::make_shared<Picture>(next_.size);
+    view::show(sessions_.device->film(), *picture);
+    device = std::move(picture);
+  }
+  next_.difference = compare(*device, *pictures_[indexOf(Side::reference)]);
+}
+
+void Engine::startSave(const SaveRequest& request) {
+  pendingSave_ = request;
+  finishSave();
+  if (pendingSave_) say(request.file.string() + ": is written when each pixel has a sample", false);
+}
+
+// Until all pixels have a sample, the session's film is that of an earlier camera or of a preview.
+void Engine::finishSave() {
+  const Side side = mode_ == Mode::reference || !sessions_.device ? Side::reference : Side::device;
+  if (!pendingSave_ || schedule_->scale(side) != 1) return;
+  const SaveRequest request = *std::exchange(pendingSave_, std::nullopt);
+  guarded([&] { saveNow(side, request); });
+}
+
+void Engine::saveNow(Side side, const SaveRequest& request) {
+  render::Session& session = *sessions_.session(side);
+  hooks_.save(request.file, sessions_, camera_, session.film(), session.statistics(), choice_, request.display);
+  const std::uint32_t samples = schedule_->samples(side);
+  say(fmt::format("{}: {} {} per pixel", request.file.string(), samples, samples == 1 ? "sample" : "samples"), false);
 }
 
 void Engine::explainNow(render::PixelSample sample, bool searches) {
