@@ -37,12 +37,12 @@ std::uint32_t samplesToRepeat(const render::BadPixel& pixel, const render::Rende
 
 std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
   const std::uint32_t sampleCount = samplesToRepeat(pixel, job.settings);
-  return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, job.arguments));
+  return fmt::format("candela render {} -o replay.exr", sceneAndOptions(pixel, sampleCount, statedArguments(job)));
 }
 
 // `explain` compares a device with the reference, so that --device cpu is omitted.
 std::string explainPath(const render::BadPixel& pixel, const RenderJob& job) {
-  Arguments arguments = job.arguments;
+  Arguments arguments = statedArguments(job);
   if (arguments.usesReference()) arguments.device.clear();
   return fmt::format("candela explain {} --pixel {},{} --sample {}",
                      sceneAndOptions(pixel, pixel.sampleCount, std::move(arguments)), pixel.x, pixel.y,

@@ -30,9 +30,9 @@ std::uint64_t peakProcessBytes() {
 std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArguments>& sweeps, const Log& log) {
   std::vector<Variant> variants;
   for (const SweptArguments& swept : sweeps) {
-    Arguments resolved = swept.arguments;
-    render::RenderSettings settings = resolveRequests(resolved, job.scene(), log);
-    variants.push_back({swept.name, std::move(settings), commandLineOf(resolved, OptionGroup::image, false)});
+    const RenderJob variant = jobOf(swept.arguments, job.sharedScene, log);
+    variants.push_back(
+        {swept.name, variant.settings, commandLineOf(statedArguments(variant), OptionGroup::image, false)});
   }
   return variants;
 }

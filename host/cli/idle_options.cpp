@@ -12,30 +12,21 @@
 namespace candela::cli {
 namespace {
 
-bool usesIntegrator(const Arguments& arguments, render::Integrator integrator) {
-  return arguments.request.image.integrator == integrator;
+bool usesIntegrator(const OptionUse& use, render::Integrator integrator) {
+  return use.settings.image.integrator == integrator;
 }
 
-bool usesAccel(const Arguments& arguments, render::AccelKind accel) { return arguments.request.accel == accel; }
+bool usesAccel(const OptionUse& use, render::AccelKind accel) { return use.settings.structure.accel == accel; }
 
-bool usesEnvironment(const Arguments& arguments) { return !arguments.loadOptions.environment.source.empty(); }
+bool usesEnvironment(const OptionUse& use) { return !use.arguments.loadOptions.environment.source.empty(); }
 
-bool usesDevice(const Arguments& arguments) { return !arguments.usesReference(); }
+bool usesDevice(const OptionUse& use) { return use.onDevice; }
 
-// All commands but `render` use the reference tracer, too.
-bool usesReferenceThreads(const Arguments& arguments) {
-  return arguments.usesReference() || arguments.command != Command::render ||
-         arguments.film.fallback == job::Fallback::reference;
-}
+bool usesReference(const OptionUse& use) { return use.onReference; }
 
-bool buildsDeviceBvh(const Arguments& arguments) {
-  return usesDevice(arguments) && usesAccel(arguments, render::AccelKind::bvh);
-}
+bool showsImages(const OptionUse& use) { return use.showsImages; }
 
-// Comparisons and the viewer display images as well.
-bool displaysImage(const Arguments& arguments) {
-  return arguments.command != Command::render || std::ranges::any_of(arguments.outputs, image::isEightBit);
-}
+bool buildsDeviceBvh(const OptionUse& use) { return use.onDevice && usesAccel(use, render::AccelKind::bvh); }
 
 bool hasAlphaChannel(const std::filesystem::path& file) {
   const std::string extension = extensionOf(file);
@@ -45,56 +36,54 @@ bool hasAlphaChannel(const std::filesystem::path& file) {
 // Options that have an effect only on some renders.
 struct SpecialOption {
   const char* option;
-  bool (*isRead)(const Arguments& arguments);
+  bool (*isRead)(const OptionUse& use);
   const char* reader;
 };
 constexpr const char* kDeviceReader = "Vulkan devices";
 constexpr std::array kSpecialOptions{
-    SpecialOption{"--nee", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
+    SpecialOption{"--nee", [](const OptionUse& use) { return usesIntegrator(use, render::Integrator::path); },
                   "--integrator path"},
-    SpecialOption{"--rr-start", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::path); },
+    SpecialOption{"--rr-start", [](const OptionUse& use) { return usesIntegrator(use, render::Integrator::path); },
                   "--integrator path"},
-    SpecialOption{"--aov-through-specular",
-                  [](const Arguments& a) {
-                    const bool mayShowLayers = a.command == Command::view;  // they are chosen in the window
-                    return mayShowLayers || !withSums(a.request.image.layers).isEmpty();
-                  },
-                  "renders with --aov or --denoise"},
-    SpecialOption{"--max-depth", [](const Arguments& a) { return !isView(a.request.image.integrator); },
+    SpecialOption{
+        "--aov-through-specular",
+        [](const OptionUse& use) { return use.choosesLayers || !withSums(use.settings.image.layers).isEmpty(); },
+        "renders with --aov or --denoise"},
+    SpecialOption{"--max-depth", [](const OptionUse& use) { return !isView(use.settings.image.integrator); },
                   "--integrator path or whitted"},
-    SpecialOption{"--light-size", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::whitted); },
+    SpecialOption{"--light-size", [](const OptionUse& use) { return usesIntegrator(use, render::Integrator::whitted); },
                   "--integrator whitted"},
-    SpecialOption{"--ao-distance", [](const Arguments& a) { return usesIntegrator(a, render::Integrator::ao); },
+    SpecialOption{"--ao-distance", [](const OptionUse& use) { return usesIntegrator(use, render::Integrator::ao); },
                   "--integrator ao"},
-    SpecialOption{"--grid-density", [](const Arguments& a) { return usesAccel(a, render::AccelKind::grid); },
+    SpecialOption{"--grid-density", [](const OptionUse& use) { return usesAccel(use, render::AccelKind::grid); },
                   "--accel grid"},
     SpecialOption{"--layout", buildsDeviceBvh, "Vulkan devices with --accel bvh"},
-    SpecialOption{"--bvh-split", [](const Arguments& a) { return usesAccel(a, render::AccelKind::bvh); },
+    SpecialOption{"--bvh-split", [](const OptionUse& use) { return usesAccel(use, render::AccelKind::bvh); },
                   "--accel bvh"},
-    SpecialOption{
-        "--bvh-quality",
-        [](const Arguments& a) { return buildsDeviceBvh(a) && a.request.structure.bvhSplit == render::BvhSplit::sah; },
-        "Vulkan devices with --accel bvh and --bvh-split sah"},
+    SpecialOption{"--bvh-quality",
+                  [](const OptionUse& use) {
+                    return buildsDeviceBvh(use) && use.settings.structure.bvhSplit == render::BvhSplit::sah;
+                  },
+                  "Vulkan devices with --accel bvh and --bvh-split sah"},
     SpecialOption{"--kernel",
-                  [](const Arguments& a) { return usesDevice(a) && usesIntegrator(a, render::Integrator::path); },
+                  [](const OptionUse& use) { return usesDevice(use) && usesIntegrator(use, render::Integrator::path); },
                   "Vulkan devices with --integrator path"},
     SpecialOption{"--loads", usesDevice, kDeviceReader},
     SpecialOption{"--workgroup", usesDevice, kDeviceReader},
     SpecialOption{"--segments-per-dispatch", usesDevice, kDeviceReader},
     SpecialOption{"--hang-timeout", usesDevice, kDeviceReader},
     SpecialOption{"--fallback", usesDevice, kDeviceReader},
-    SpecialOption{"--threads", usesReferenceThreads, "the reference tracer (--device cpu)"},
+    SpecialOption{"--threads", usesReference, "the reference tracer (--device cpu)"},
     SpecialOption{"--env-rotate", usesEnvironment, "the environment of --env"},
     SpecialOption{"--env-scale", usesEnvironment, "the environment of --env"},
-    SpecialOption{"--tonemap", displaysImage, "PNG and JPEG files"},
-    SpecialOption{"--exposure", displaysImage, "PNG and JPEG files"}};
+    SpecialOption{"--tonemap", showsImages, "PNG and JPEG files"},
+    SpecialOption{"--exposure", showsImages, "PNG and JPEG files"}};
 
 }  // namespace
 
-void noteIdleOptions(const Arguments& arguments, const Log& log) {
-  if (arguments.command == Command::bench) return;  // benchmarks choose the structures themselves
+void noteIdleOptions(const OptionUse& use, const Log& log) {
   for (const auto& [option, isRead, reader] : kSpecialOptions) {
-    if (isRead(arguments) || !arguments.given.contains(option)) continue;
+    if (isRead(use) || !use.arguments.given.contains(option)) continue;
     log.note(fmt::format("{} has no effect here; it applies to {}", option, reader));
   }
 }

@@ -33,8 +33,9 @@ void addMatteMetadata(image::LayerSet layers, const image::MatteNames& names, Me
 
 Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
   const render::RenderStatistics& statistics = result.statistics;
-  std::string settings = commandLineOf(job.arguments, OptionGroup::image, false);
-  const std::string reading = commandLineOf(job.arguments, OptionGroup::sceneFile, true);
+  const Arguments stated = statedArguments(job);
+  std::string settings = commandLineOf(stated, OptionGroup::image, false);
+  const std::string reading = commandLineOf(stated, OptionGroup::sceneFile, true);
   if (!reading.empty()) settings += " " + reading;
   Metadata metadata{{"candela.version", versionText()},
                     {"candela.scene", job.scene().name},

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/cli/idle_options.h"
 #include "host/cli/separate_files.h"
 #include "host/cli/tuned.h"
@@ -23,21 +25,26 @@ void warnOfDarkness(const render::RenderSettings& settings, const scene::Scene& 
       "emission");
 }
 
+// All commands but `render` use the reference tracer, too, and show images.
+OptionUse useOf(const Arguments& arguments, const render::RenderSettings& settings) {
+  OptionUse use{arguments, settings, !arguments.usesReference()};
+  use.choosesLayers = arguments.command == Command::view;
+  if (arguments.command != Command::render) return use;
+  use.onReference = arguments.usesReference() || arguments.film.fallback == job::Fallback::reference;
+  use.showsImages = std::ranges::any_of(arguments.outputs, image::isEightBit);
+  return use;
+}
+
 }  // namespace
 
-render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log) {
+render::RenderSettings resolveRequests(const Arguments& arguments, const scene::Scene& scene, const Log& log) {
   if (!arguments.request.sampleCount && scene.requestedSamples) {
     log.detail(fmt::format("{} samples per pixel, as requested by the scene", *scene.requestedSamples));
   }
-  render::RenderRequest& request = arguments.request;
-  const std::uint32_t sampleCount = render::requestedSampleCount(request, scene);
-  render::RenderSettings settings = render::resolve(request, scene);
-  request.sampleCount = sampleCount;
-  request.size = settings.image.size;
-  request.accel = settings.structure.accel;
-  request.maxDepth = settings.image.maxDepth;
+  render::RenderSettings settings = render::resolve(arguments.request, scene);
   job::requirePossible(scene, settings, arguments.film, !arguments.outputs.empty());
-  noteIdleOptions(arguments, log);
+  // Benchmarks choose the structures themselves.
+  if (arguments.command != Command::bench) noteIdleOptions(useOf(arguments, settings), log);
   noteLostAlpha(arguments, log);
   warnOfDarkness(settings, scene, log);
   return settings;
@@ -52,10 +59,10 @@ scene::LoadedScene readScene(const Arguments& arguments, const Log& log) {
 }
 
 RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> scene, const Log& log) {
-  Arguments complete = arguments;
-  if (!arguments.outputs.empty()) complete.film.rescueBeside = arguments.outputs.front();
-  render::RenderSettings settings = resolveRequests(complete, *scene, log);
-  return {{std::move(scene), complete.loadOptions, std::move(settings), complete.film}, std::move(complete)};
+  job::FilmPolicy film = arguments.film;
+  if (!arguments.outputs.empty()) film.rescueBeside = arguments.outputs.front();
+  render::RenderSettings settings = resolveRequests(arguments, *scene, log);
+  return {{std::move(scene), arguments.loadOptions, std::move(settings), std::move(film)}, arguments};
 }
 
 RenderJob loadJob(const Arguments& arguments, const Log& log) {
@@ -65,6 +72,14 @@ RenderJob loadJob(const Arguments& arguments, const Log& log) {
   RenderJob job = jobOf(arguments, std::move(scene), log);
   job.parseSeconds = seconds;
   return job;
+}
+
+Arguments statedArguments(const RenderJob& job) {
+  Arguments stated = job.arguments;
+  stated.request = render::requestOf(job.settings);
+  stated.request.filmScale = job.arguments.request.filmScale;
+  stated.film = job.film;
+  return stated;
 }
 
 std::unique_ptr<render::Renderer> makeRenderer(const Arguments& arguments, const Log& log) {

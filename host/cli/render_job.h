@@ -15,7 +15,7 @@ namespace candela::cli {
 
 /// A job with the arguments of its command.
 struct RenderJob : job::Job {
-  Arguments arguments{};  ///< complete: nothing depends on the scene file any more
+  Arguments arguments{};  ///< as the user gave them
   double parseSeconds = 0;
 };
 
@@ -29,11 +29,14 @@ RenderJob jobOf(const Arguments& arguments, std::shared_ptr<const scene::Scene> 
 /// Reads the first of `arguments.files`. Throws as readScene() and jobOf() do.
 RenderJob loadJob(const Arguments& arguments, const Log& log);
 
-/// Replaces empty options by the settings of the scene file or by the defaults of the integrator, and returns the
-/// settings. Throws UsageError if the integrator cannot render the scene, FileError if the image exceeds the limits,
-/// and OutOfMemoryError if film and scene do not fit into memory. Logs notes about options without effect and about
-/// missing lights.
-render::RenderSettings resolveRequests(Arguments& arguments, const scene::Scene& scene, const Log& log);
+/// Returns the settings: those of the options, else of the scene file, else the defaults of the integrator. Throws
+/// UsageError if the integrator cannot render the scene, FileError if the image exceeds the limits, and
+/// OutOfMemoryError if film and scene do not fit into memory. Logs notes about options without effect and about missing
+/// lights.
+render::RenderSettings resolveRequests(const Arguments& arguments, const scene::Scene& scene, const Log& log);
+
+/// Returns the options of a render of this job that no longer depend on the requests of the scene file.
+Arguments statedArguments(const RenderJob& job);
 
 /// Returns the reference for kReferenceDevice, else a Vulkan device, on which `auto` means the result of `candela tune`
 /// unless --untuned is given. Throws NoDeviceError.

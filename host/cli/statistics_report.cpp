@@ -83,7 +83,7 @@ ordered_json toJson(const RenderReport& report) {
   json["scene"] = report.job.scene().name;
   json["sceneHash"] = hashText(report.job.scene().hash);
   json["filmHash"] = hashText(report.result.film.hash());
-  json["settings"] = settingsJson(report.job.arguments);
+  json["settings"] = settingsJson(statedArguments(report.job));
   json["filmScale"] = report.result.film.scale();
   json["interrupted"] = report.result.interrupted;
   json["device"] = statistics.device;

@@ -42,8 +42,7 @@ std::filesystem::path requireFile(const cache::DeviceKey& key) {
 }
 
 Work workOf(const Arguments& arguments, scene::Scene scene, const Log& log) {
-  Arguments resolved = arguments;
-  render::RenderSettings settings = resolveRequests(resolved, scene, log);
+  render::RenderSettings settings = resolveRequests(arguments, scene, log);
   return {std::move(scene), std::move(settings)};
 }
 

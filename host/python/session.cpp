@@ -59,7 +59,7 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
 
 void PythonSession::reset(std::uint32_t seed) {
   session_->reset(seed, total());
-  job_.arguments.request.image.seed = job_.settings.image.seed = seed;
+  job_.settings.image.seed = seed;
   first_.reset();
   done_ = wanted_ = 0;
   seconds_ = 0;

@@ -24,13 +24,10 @@ AccelKind accelOf(const scene::Scene& scene) {
 RenderSettings::RenderSettings(const RenderRequest& request)
     : image{request.image}, structure{request.structure}, execution(request.execution) {}
 
-std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene) {
-  return request.sampleCount.value_or(scene.requestedSamples.value_or(ImageSettings{}.sampleCount));
-}
-
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) {
   RenderSettings settings(request);
-  const std::uint32_t samples = requestedSampleCount(request, scene);
+  const std::uint32_t samples = request.sampleCount.value_or(
+      scene.requestedSamples.value_or(ImageSettings{}.sampleCount));
   settings.image.antialiasing = samples > 0;
   settings.image.sampleCount = samples > 0 ? samples : 1;
   settings.image.size = request.size.value_or(Extent{scene.camera->width, scene.camera->height});
@@ -40,6 +37,18 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.structure.accel = request.accel.value_or(accelOf(scene));
   settings.structure.accelIsPreference = !request.accel;
   return settings;
+}
+
+RenderRequest requestOf(const RenderSettings& settings) {
+  const ImageSettings& image = settings.image;
+  return {.sampleCount = image.antialiasing ? image.sampleCount : 0,
+          .size = image.size,
+          .accel = settings.structure.accel,
+          .maxDepth = image.maxDepth,
+          .filmScale = image.filmScale,
+          .image = image,
+          .structure = settings.structure,
+          .execution = settings.execution};
 }
 
 void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings) {

@@ -21,12 +21,12 @@ struct RenderRequest {
   ExecutionSettings execution;
 };
 
-/// Returns the number of samples per pixel that `request` and `scene` request; 0 as above.
-std::uint32_t requestedSampleCount(const RenderRequest& request, const scene::Scene& scene);
-
 /// Returns the settings of a render of `scene`, which must have a camera. An acceleration structure that only the scene
 /// requests is a preference: see StructureSettings::accelIsPreference.
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
+
+/// Returns the request that has these settings with any scene.
+RenderRequest requestOf(const RenderSettings& settings);
 
 /// Throws UsageError if the settings select the Whitted tracer, and the scene has lights or materials that it does not
 /// have: point lights with fall-off, spot and directional lights, materials without Whitted coefficients; and if they

@@ -15,9 +15,7 @@ const render::BadPixel kPixel{.x = 2, .y = 1, .badCount = 2, .firstSample = 5, .
 RenderJob jobWith(render::Integrator integrator, render::SamplerKind sampler) {
   RenderJob job{{std::make_shared<scene::Scene>(), {}, render::defaultSettings()}};
   job.arguments.files = {"a scene.p3f"};
-  job.arguments.request.sampleCount = 64;
-  job.arguments.request.image.integrator = integrator;
-  job.arguments.request.image.sampler = sampler;
+  job.settings.image.size = {3, 2};
   job.settings.image.sampleCount = 64;
   job.settings.image.integrator = integrator;
   job.settings.image.sampler = sampler;
@@ -41,10 +39,12 @@ render::BadSampleTally tallyOfOne() {
 
 TEST_CASE("a path's bad sample is replayed by `explain` with every option on which it depends") {
   const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
-  CHECK(replayCommand(kPixel, job) == "candela explain 'a scene.p3f' --seed 9 --spp 64 --pixel 2,1 --sample 5");
+  CHECK(replayCommand(kPixel, job) ==
+        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --accel bvh --spp 64 --pixel 2,1 --sample 5");
   const RenderJob strata = jobWith(render::Integrator::path, render::SamplerKind::stratified);
   CHECK(replayCommand(kPixel, strata) ==
-        "candela explain 'a scene.p3f' --seed 9 --sampler stratified --spp 64 --pixel 2,1 --sample 5");
+        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --sampler stratified --accel bvh --spp 64 "
+        "--pixel 2,1 --sample 5");
 }
 
 TEST_CASE("a bad sample of the reference is explained on the default device, that of a device on the device") {
@@ -59,15 +59,16 @@ TEST_CASE("the replay of an integrator without paths renders the image up to the
   for (const auto& [integrator, name] :
        {std::pair(render::Integrator::whitted, "whitted"), {render::Integrator::depth, "depth"}}) {
     const RenderJob job = jobWith(integrator, render::SamplerKind::sobol);
-    const std::string start = "candela render 'a scene.p3f' --seed 9 --integrator " + std::string(name);
-    CHECK(replayCommand(kPixel, job) == start + " --spp 6 -o replay.exr");
+    const std::string start = "candela render 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --integrator " +
+                              std::string(name);
+    CHECK(replayCommand(kPixel, job) == start + " --accel bvh --spp 6 -o replay.exr");
     render::BadPixel other = kPixel;
     other.firstSample = 0;
-    CHECK(replayCommand(other, job) == start + " --spp 2 -o replay.exr");
+    CHECK(replayCommand(other, job) == start + " --accel bvh --spp 2 -o replay.exr");
     other.sampleCount = 1;
-    CHECK(replayCommand(other, job) == start + " --spp 1 -o replay.exr");
+    CHECK(replayCommand(other, job) == start + " --accel bvh --spp 1 -o replay.exr");
     CHECK(replayCommand(kPixel, jobWith(integrator, render::SamplerKind::stratified)) ==
-          start + " --sampler stratified --spp 64 -o replay.exr");
+          start + " --sampler stratified --accel bvh --spp 64 -o replay.exr");
   }
 }
 

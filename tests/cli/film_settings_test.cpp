@@ -26,10 +26,11 @@ RenderJob jobWith(const std::vector<std::pair<std::string, std::string>>& option
 }
 
 void checkSettings(const RenderJob& job) {
+  const Arguments stated = statedArguments(job);
   for (const job::FilmSetting& setting : job::filmSettings()) {
     CAPTURE(setting.name);
     const Option& option = find("--" + std::string(setting.name), Command::render);
-    const std::vector<std::string> words = option.show(job.arguments);
+    const std::vector<std::string> words = option.show(stated);
     CHECK(setting.value(job) == (words.empty() ? "off" : words.front()));
     CHECK(setting.isFlag == option.isFlag());
   }

@@ -64,7 +64,8 @@ TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
   const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
   CHECK(byFileSettings.image.sampleCount == 1);
   CHECK_FALSE(byFileSettings.image.jittersPixels());
-  CHECK(byFile.request.sampleCount == 0u);
+  CHECK_FALSE(byFileSettings.image.antialiasing);
+  CHECK(render::requestOf(byFileSettings).sampleCount == 0u);
   Arguments byOption;
   byOption.request.sampleCount = 1;
   const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, Log(sink, Verbosity::normal));

@@ -126,16 +126,15 @@ TEST_CASE("faults of volumes are reported where they are too many for rounding")
 
 TEST_CASE("settings are typed: numbers, words and flags") {
   RenderJob job = madeJob();
-  job.arguments.request.image.oneSided = true;
-  job.arguments.request.maxDepth = 64;
-  job.arguments.request.image.seed = 4294967295u;
+  job.settings.image.oneSided = true;
+  job.settings.image.seed = 4294967295u;
   const auto settings = toJson(RenderReport{job, render::RenderResult{}, 0, 0})["settings"];
   CHECK(settings["maxDepth"] == 64);
   CHECK(settings["seed"] == 4294967295u);
   CHECK(settings["oneSided"] == true);
   CHECK(settings["lenient"] == false);
   CHECK(settings["sampler"] == "sobol");
-  CHECK(settings["samplesPerPixel"].is_null());
+  CHECK(settings["samplesPerPixel"] == 16);
   CHECK(settings["time"].is_null());
 }
 
