@@ -23,18 +23,21 @@ namespace {
 
 ExitCode runCommand(const std::vector<std::string>& words) {
   const cli::Arguments arguments = cli::parseCommandLine(words);
-  if (arguments.help) {
-    const auto command = arguments.commandNamed ? std::optional(arguments.command) : std::nullopt;
+  const auto& general = cli::partOf<cli::GeneralArguments>(arguments);
+  if (general.help) {
+    const auto command = general.commandNamed ? std::optional(cli::commandOf(arguments)) : std::nullopt;
     std::cout << cli::helpText(command, cli::helpWidth()) << std::flush;
     return ExitCode::done;
   }
-  if (arguments.version) {
+  if (general.version) {
     std::cout << "candela " << versionText() << std::endl;
     return ExitCode::done;
   }
   cli::requireSeparateFiles(arguments);
-  if (arguments.memory) limitMemory(*arguments.memory);
-  return cli::commandInfo(arguments.command).run(arguments, Log(std::cerr, arguments.verbosity()));
+  const auto* const memory = cli::findPart<cli::MemoryArguments>(arguments);
+  if (memory != nullptr && memory->memory) limitMemory(*memory->memory);
+  const Log log(std::cerr, general.verbosity());
+  return std::visit([&](const auto& command) { return cli::run(command, log); }, arguments);
 }
 
 // Output that could not be written is a failure.

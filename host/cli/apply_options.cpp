@@ -80,18 +80,19 @@ void setOption(const Option& option, const std::string& value, Arguments& argume
     throw UsageError(fmt::format("{}: expected {}, got {}", settingWords(option.name().substr(2)), option.expected,
                                  wrongPart(option, value)));
   }
-  arguments.given.insert(option.name());
+  partOf<GeneralArguments>(arguments).given.insert(option.name());
 }
 
 void applyOptions(std::span<const std::string> words, Arguments& arguments) {
+  const Command command = commandOf(arguments);
   CLI::App app;
   app.set_help_flag();
   app.allow_extras();
   std::vector<std::pair<const Option*, CLI::Option*>> declared;
   for (const Option& option : optionTable()) {
-    if (option.isFor(arguments.command)) declared.emplace_back(&option, declare(app, option));
+    if (option.isFor(command)) declared.emplace_back(&option, declare(app, option));
   }
-  app.add_option("files", arguments.files);
+  app.add_option("files", partOf<GeneralArguments>(arguments).files);
 
   std::vector<std::string> reversed = reversedWords(withJoinedFlags(words));
   try {
@@ -103,7 +104,7 @@ void applyOptions(std::span<const std::string> words, Arguments& arguments) {
     throw UsageError(error.what());
   }
   for (const std::string& extra : app.remaining()) {
-    if (extra != "--") refuseUnknownOption(arguments.command, extra);
+    if (extra != "--") refuseUnknownOption(command, extra);
   }
   for (const auto& [option, parsed] : declared) {
     for (const std::string& value : parsed->results()) setOption(*option, value, arguments);

@@ -7,10 +7,11 @@
 
 namespace candela::cli {
 
-/// Sets an option, in the notation of Option::show(); a flag is "true". Throws UsageError with the expected value.
+/// Sets an option, in the notation of Option::show(); a flag is "true". The command has it. Throws UsageError with
+/// the expected value.
 void setOption(const Option& option, const std::string& value, Arguments& arguments);
 
-/// Sets the options and files of `arguments`, whose command is known. Values are checked, combinations are not. Throws
+/// Sets the options and files of a command. Values are checked, combinations are not. Throws
 /// UsageError with the expected value and a suggestion.
 void applyOptions(std::span<const std::string> words, Arguments& arguments);
 

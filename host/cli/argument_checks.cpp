@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <utility>
-
 #include "host/cli/commands.h"
 #include "host/cli/file_kinds.h"
 #include "host/cli/option_table.h"
@@ -14,39 +12,29 @@
 namespace candela::cli {
 namespace {
 
-void requireFileCount(const Arguments& arguments) {
-  const CommandInfo& info = commandInfo(arguments.command);
+void requireFileCount(Command command, const GeneralArguments& arguments) {
+  const CommandInfo& info = commandInfo(command);
   const std::size_t count = arguments.files.size();
   if (count < info.minFileCount) throw UsageError(fmt::format("no {} given", info.fileNoun));
   if (count > info.maxFileCount)
     throw UsageError(fmt::format("too many arguments: {} is unexpected", arguments.files.back()));
 }
 
-// Options for tracing do not affect the comparison of two images. They are refused, since ignoring them would hide a
-// misunderstanding.
-void refuseTracingOptionsForImages(const Arguments& arguments) {
-  if (arguments.command != Command::compare || arguments.files.size() != 2) return;
+// Options for tracing do not affect the comparison of two images, and those for images not that of two tracers. They
+// are refused, since ignoring them would hide a misunderstanding.
+void refuseOptionsOfOtherComparison(const CompareArguments& arguments) {
+  const bool ofImages = arguments.files.size() == 2;
   for (const Option& option : optionTable()) {
     const bool tracing = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile ||
                          option.group == OptionGroup::execution;
-    if (tracing && arguments.given.contains(option.name())) {
-      throw UsageError(fmt::format("{} is for comparing one scene, not two images", option.name()));
-    }
-  }
-}
-
-void refuseImageOptionsForScene(const Arguments& arguments) {
-  if (arguments.command != Command::compare || arguments.files.size() != 1) return;
-  for (const Option& option : optionTable()) {
     const bool imaging = option.group == OptionGroup::comparison || option.group == OptionGroup::output;
-    if (imaging && arguments.given.contains(option.name())) {
-      throw UsageError(fmt::format("{} is for comparing two images, not one scene", option.name()));
-    }
+    if (!(ofImages ? tracing : imaging) || !arguments.given.contains(option.name())) continue;
+    throw UsageError(fmt::format("{} is for comparing {}", option.name(),
+                                 ofImages ? "one scene, not two images" : "two images, not one scene"));
   }
 }
 
-void requireOutput(const Arguments& arguments) {
-  if (arguments.command != Command::render) return;
+void requireOutput(const RenderArguments& arguments) {
   if (!arguments.outputs.empty() || arguments.printStatistics || !arguments.json.empty()) return;
   if (!arguments.film.checkpoint.empty() || arguments.displayServer) return;
   throw UsageError(
@@ -55,32 +43,23 @@ void requireOutput(const Arguments& arguments) {
 }
 
 // An option that only completes another one.
-void requireTogether(const Arguments& arguments, const std::string& option, const std::string& other) {
+void requireTogether(const GeneralArguments& arguments, const std::string& option, const std::string& other) {
   if (!arguments.given.contains("--" + option) || arguments.given.contains("--" + other)) return;
   throw UsageError(fmt::format("{} has no effect without {}", settingWords(option), settingWords(other)));
 }
 
-void requireCompleteOptions(const Arguments& arguments) {
+void requireCompleteOptions(const GeneralArguments& arguments) {
   requireTogether(arguments, "checkpoint-every", "checkpoint");
   requireTogether(arguments, "resume-anyway", "resume");
   requireTogether(arguments, "animation", "time");
 }
 
-void requireFormats(const Arguments& arguments) {
-  for (const auto& film : {arguments.mergedFilm, arguments.film.checkpoint}) {
-    if (film == "-") throw UsageError("-: a film is not written to stdout; name a file");
-    refuseOtherFormat(film, {".exr"}, "a film is an OpenEXR file");
-  }
-  refuseOtherFormat(arguments.report, {".html", ".htm"}, "the report is an HTML page");
+void requireFilmFormat(const std::filesystem::path& film) {
+  if (film == "-") throw UsageError("-: a film is not written to stdout; name a file");
+  refuseOtherFormat(film, {".exr"}, "a film is an OpenEXR file");
 }
 
-void requireMergedFilm(const Arguments& arguments) {
-  if (arguments.command == Command::merge && arguments.mergedFilm.empty()) {
-    throw UsageError("no output given: name the merged film with -o FILE");
-  }
-}
-
-void requireTreeDepth(const Arguments& arguments) {
+void requireTreeDepth(const RequestArguments& arguments) {
   const bool tooDeep = arguments.request.maxDepth && *arguments.request.maxDepth > render::kMaxTreeDepth;
   if (arguments.request.image.integrator != render::Integrator::whitted || !tooDeep) return;
   throw UsageError(fmt::format("{}: the maximum of Whitted ray tracing is {}",
@@ -89,35 +68,41 @@ void requireTreeDepth(const Arguments& arguments) {
 }
 
 void requireOneReaderOfStdout(const Arguments& arguments) {
-  const std::pair<const char*, bool> writers[]{
-      {"--stats", arguments.printStatistics}, {"--markdown -", arguments.markdown == "-"},
-      {"--svg -", arguments.svg == "-"},      {"--csv -", arguments.conformance.csv == "-"},
-      {"--junit -", arguments.junit == "-"},  {"--json -", arguments.json == "-"}};
-  const char* first = nullptr;
-  for (const auto& [option, writes] : writers) {
-    if (!writes) continue;
-    if (first != nullptr) throw UsageError(fmt::format("{} and {} both write to stdout", first, option));
-    first = option;
+  std::string first;
+  for (const std::string option : {"--stats", "--markdown", "--svg", "--csv", "--junit", "--json"}) {
+    const std::vector<std::string> values = valuesOf(arguments, option);
+    const bool isText = option == "--stats";
+    if (isText ? values.empty() : values != std::vector<std::string>{"-"}) continue;
+    const std::string words = isText ? option : option + " -";
+    if (!first.empty()) throw UsageError(fmt::format("{} and {} both write to stdout", first, words));
+    first = words;
   }
 }
 
 }  // namespace
 
 void checkOptions(const Arguments& arguments) {
-  requireCompleteOptions(arguments);
-  requireTreeDepth(arguments);
+  requireCompleteOptions(partOf<GeneralArguments>(arguments));
+  if (const auto* request = findPart<RequestArguments>(arguments)) requireTreeDepth(*request);
 }
 
 void checkArguments(const Arguments& arguments) {
-  requireFileCount(arguments);
-  refuseTracingOptionsForImages(arguments);
-  refuseImageOptionsForScene(arguments);
-  requireOutput(arguments);
-  requireCompleteOptions(arguments);
-  requireMergedFilm(arguments);
-  requireFormats(arguments);
+  requireFileCount(commandOf(arguments), partOf<GeneralArguments>(arguments));
+  if (const auto* compare = std::get_if<CompareArguments>(&arguments)) refuseOptionsOfOtherComparison(*compare);
+  if (const auto* render = std::get_if<RenderArguments>(&arguments)) {
+    requireOutput(*render);
+    requireCompleteOptions(*render);
+    requireFilmFormat(render->film.checkpoint);
+  }
+  if (const auto* merge = std::get_if<MergeArguments>(&arguments)) {
+    if (merge->output.empty()) throw UsageError("no output given: name the merged film with -o FILE");
+    requireFilmFormat(merge->output);
+  }
+  if (const auto* verdict = findPart<VerdictArguments>(arguments)) {
+    refuseOtherFormat(verdict->report, {".html", ".htm"}, "the report is an HTML page");
+  }
   requireOneReaderOfStdout(arguments);
-  requireTreeDepth(arguments);
+  checkOptions(arguments);
 }
 
 }  // namespace candela::cli

@@ -1,6 +1,6 @@
 // Checks of arguments after they are parsed: numbers of files, and options that contradict each other or need others.
 #pragma once
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 
 namespace candela::cli {
 

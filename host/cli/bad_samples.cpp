@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 
 // The number of samples is always stated, since the default could be that of the scene file, which may not include the
 // sample.
-std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, Arguments arguments) {
+std::string sceneAndOptions(const render::BadPixel& pixel, std::uint32_t sampleCount, RenderArguments arguments) {
   arguments.request.sampleCount.reset();
   arguments.film.noiseThreshold.reset();  // the sample is the same without it
   arguments.request.image.seed = pixel.seed;
@@ -42,7 +42,7 @@ std::string renderAgain(const render::BadPixel& pixel, const RenderJob& job) {
 
 // `explain` compares a device with the reference, so that --device cpu is omitted.
 std::string explainPath(const render::BadPixel& pixel, const RenderJob& job) {
-  Arguments arguments = statedArguments(job);
+  RenderArguments arguments = statedArguments(job);
   if (arguments.usesReference()) arguments.device.clear();
   return fmt::format("candela explain {} --pixel {},{} --sample {}",
                      sceneAndOptions(pixel, pixel.sampleCount, std::move(arguments)), pixel.x, pixel.y,
@@ -96,7 +96,7 @@ void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& 
   for (const std::string& line : badSampleLines(tallies.reference, job)) log.problem("reference: " + line);
 }
 
-ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log) {
+ExitCode strictly(ExitCode code, std::uint64_t badSamples, const StrictArguments& arguments, const Log& log) {
   if (!arguments.strict || badSamples == 0) return code;
   log.problem(
       fmt::format("--strict: the run fails because of {} bad samples; its files are still written", badSamples));

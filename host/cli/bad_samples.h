@@ -29,6 +29,6 @@ void reportBadSamples(const render::BadSampleTallies& tallies, const RenderJob& 
 
 /// Returns `code`, except that --strict turns success, or a verdict that is not decided, into ExitCode::differ, with a
 /// message, if there are bad samples.
-ExitCode strictly(ExitCode code, std::uint64_t badSamples, const Arguments& arguments, const Log& log);
+ExitCode strictly(ExitCode code, std::uint64_t badSamples, const StrictArguments& arguments, const Log& log);
 
 }  // namespace candela::cli

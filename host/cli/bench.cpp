@@ -17,7 +17,7 @@ struct Benchmark {
   std::size_t minFileCount;  ///< after the name of the benchmark
   std::size_t maxFileCount;
   const char* complaint;  ///< message for any other number of files
-  ExitCode (*run)(const Arguments&, const Log&);
+  ExitCode (*run)(const BenchArguments&, const Log&);
 };
 
 constexpr std::size_t kAnyNumber = static_cast<std::size_t>(-1);
@@ -42,14 +42,14 @@ void requireFiles(const Benchmark& benchmark, std::size_t count) {
 }
 
 // Refuses options that the other benchmarks choose themselves.
-void refuseOptionsOfScenes(const Benchmark& benchmark, const Arguments& arguments) {
+void refuseOptionsOfScenes(const Benchmark& benchmark, const BenchArguments& arguments) {
   for (const char* const option : {"--sweep", "--svg", "--accel", "--bvh-split"}) {
     if (!arguments.given.contains(option)) continue;
     throw UsageError(fmt::format("bench {} {}: this option applies only to bench SCENE", benchmark.name, option));
   }
 }
 
-void requireScores(const Arguments& arguments) {
+void requireScores(const BenchArguments& arguments) {
   if (arguments.request.image.integrator == render::Integrator::cost) {
     throw UsageError(
         "--integrator cost: the image depends on the acceleration structure, so benchmarks cannot compare it");
@@ -59,7 +59,7 @@ void requireScores(const Arguments& arguments) {
 
 }  // namespace
 
-ExitCode runBench(const Arguments& arguments, const Log& log) {
+ExitCode run(const BenchArguments& arguments, const Log& log) {
   requireScores(arguments);
   const std::string& word = arguments.files.front();
   const auto found = std::find_if(kBenchmarks.begin(), kBenchmarks.end(),

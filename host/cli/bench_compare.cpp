@@ -9,12 +9,13 @@
 #include "host/cli/text_output.h"
 
 namespace candela::cli {
-ExitCode runBenchCompare(const Arguments& arguments, const Log&) {
+ExitCode runBenchCompare(const BenchArguments& arguments, const Log&) {
   const std::string& before = arguments.files[1];
   const std::string& after = arguments.files[2];
   const auto comparison = bench::compareReports(bench::readReport(before), before, bench::readReport(after), after,
                                                 arguments.threshold);
-  if (arguments.wantsText()) std::cout << bench::toText(comparison) << std::flush;
+  if (wantsText(arguments, {arguments.json, arguments.markdown, arguments.svg}))
+    std::cout << bench::toText(comparison) << std::flush;
   writeText(arguments.markdown, bench::toMarkdown(comparison));
   writeJson(arguments.json, bench::toJson(comparison));
   return comparison.regressed() ? ExitCode::differ : ExitCode::done;

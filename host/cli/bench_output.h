@@ -3,18 +3,18 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "host/cli/arguments.h"
 #include "host/cli/json_output.h"
 #include "host/cli/text_output.h"
 #include "host/core/errors.h"
 
 namespace candela::cli {
 
-/// Prints a report of host/bench and writes the requested files. Logs `complaint` and returns exit code 3 if the
-/// measured variants do not agree.
+/// Prints a report of host/bench and writes the files that `bench` or `tune` requests. Logs `complaint` and returns
+/// exit code 3 if the measured variants do not agree. The caller writes the chart, if it has one, to `svg`.
 template <class Report>
-ExitCode publish(const Report& report, const Arguments& arguments, const Log& log, const char* complaint) {
-  if (arguments.wantsText()) std::cout << toText(report) << std::flush;
+ExitCode publish(const Report& report, const auto& arguments, const Log& log, const char* complaint,
+                 std::string_view svg = "") {
+  if (wantsText(arguments, {arguments.json, arguments.markdown, svg})) std::cout << toText(report) << std::flush;
   writeText(arguments.markdown, toMarkdown(report));
   writeJson(arguments.json, toJson(report));
   if (report.agree()) return ExitCode::done;

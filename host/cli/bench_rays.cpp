@@ -37,7 +37,7 @@ bool measureScene(vulkan::Device& device, const RenderJob& job, const Log& log, 
 
 }  // namespace
 
-ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
+ExitCode runBenchRays(const BenchArguments& arguments, const Log& log) {
   if (arguments.usesReference())
     throw UsageError("bench rays --device cpu: the rays of the reference tracer cannot be timed alone");
   CachedDevice cached(arguments, log);
@@ -48,7 +48,7 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
   report.driver = device.info().driver;
   report.repeats = arguments.repeats;
   for (std::size_t i = 1; i < arguments.files.size(); ++i) {
-    Arguments one = arguments;
+    BenchArguments one = arguments;
     one.files = {arguments.files[i]};
     RenderJob job = loadJob(one, log);
     job.settings.execution.automatic = choices;
@@ -58,7 +58,7 @@ ExitCode runBenchRays(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  return publish(report, arguments, log, "the hits of some layouts differ; their times are left out");
+  return publish(report, arguments, log, "the hits of some layouts differ; their times are left out", arguments.svg);
 }
 
 }  // namespace candela::cli

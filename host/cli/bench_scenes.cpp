@@ -38,7 +38,7 @@ std::vector<Variant> variantsOf(const RenderJob& job, const std::vector<SweptArg
 }
 
 // Returns false if it was interrupted.
-bool measureScene(const Arguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
+bool measureScene(const BenchArguments& arguments, render::Renderer& renderer, const Log& log, SweepReport& report) {
   const RenderJob job = loadJob(arguments, log);
   const std::vector<Variant> variants = variantsOf(job, sweepOver(arguments), log);
   log.note(fmt::format("{}: {}, runs of each: {}", job.scene().name, counted(variants.size(), "variant"),
@@ -56,13 +56,13 @@ bool measureScene(const Arguments& arguments, render::Renderer& renderer, const 
 
 }  // namespace
 
-ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
+ExitCode runBenchScenes(const BenchArguments& arguments, const Log& log) {
   sweepOver(arguments);  // reports errors before any scene is loaded
   const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   SweepReport report;
   report.repeats = arguments.repeats;
   for (const std::string& file : arguments.files) {
-    Arguments one = arguments;
+    BenchArguments one = arguments;
     one.files = {file};
     if (measureScene(one, *renderer, log, report)) continue;
     log.note("interrupted; nothing is written");
@@ -70,7 +70,7 @@ ExitCode runBenchScenes(const Arguments& arguments, const Log& log) {
   }
   report.processBytes = peakProcessBytes();
   writeText(arguments.svg, bench::toSvg(report));
-  return publish(report, arguments, log, "the images of some variants differ; their times are left out");
+  return publish(report, arguments, log, "the images of some variants differ; their times are left out", arguments.svg);
 }
 
 }  // namespace candela::cli

@@ -35,16 +35,18 @@ const std::array kTable1{PublishedScene{"mirror", embedded::mirror, true, 361.0,
 constexpr std::uint32_t kTable1Samples = 15 * 15;
 
 // Returns the rows of one scene, or none if the run was interrupted.
-std::vector<RenderRow> measureScene(const scene::Scene& scene, const render::RenderSettings& settings,
-                                    const Arguments& arguments, render::Renderer& renderer, const Log& log) {
+std::vector<RenderRow> measureScene(const RenderJob& job, std::uint32_t repeats, render::Renderer& renderer,
+                                    const Log& log) {
+  const scene::Scene& scene = job.scene();
+  const render::RenderSettings& settings = job.settings;
   const std::vector<Variant> variants = bench::structureVariants(settings);
   log.note(fmt::format("{}: {}x{} pixels, {} per pixel, {} structures, runs of each: {}", scene.name,
                        settings.image.size.width, settings.image.size.height,
-                       counted(settings.image.sampleCount, "sample"), variants.size(), arguments.repeats));
+                       counted(settings.image.sampleCount, "sample"), variants.size(), repeats));
   Progress progress(std::cerr, progressStyle(log.verbosity()));
   std::vector<RenderRow> rows;
-  for (Measurement& measurement : bench::measureInterleaved(renderer, scene, variants, arguments.repeats,
-                                                            makeControl(progress), bench::Preparation::everyRun)) {
+  for (Measurement& measurement : bench::measureInterleaved(renderer, scene, variants, repeats, makeControl(progress),
+                                                            bench::Preparation::everyRun)) {
     rows.push_back({scene.name, scene.hash, std::move(measurement)});
   }
   return rows;
@@ -61,16 +63,17 @@ bool append(std::vector<RenderRow> rows, StructureReport& report) {
   return !rows.empty();
 }
 
-bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& report) {
+bool measureTable1(const BenchArguments& arguments, const Log& log, StructureReport& report) {
   const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   for (const PublishedScene& published : kTable1) {
-    const scene::Scene scene = scene::parseScene(std::string(published.text), published.name, ".").scene;
-    Arguments resolved = arguments;
+    auto scene = std::make_shared<const scene::Scene>(
+        scene::parseScene(std::string(published.text), published.name, ".").scene);
+    BenchArguments resolved = arguments;
     if (!resolved.request.sampleCount) resolved.request.sampleCount = kTable1Samples;
     if (!resolved.given.contains("--sampler")) resolved.request.image.sampler = render::SamplerKind::stratified;
     resolved.request.image.oneSided |= published.oneSided;
-    const render::RenderSettings settings = resolveRequests(resolved, scene, log);
-    std::vector<RenderRow> rows = measureScene(scene, settings, resolved, *renderer, log);
+    const RenderJob job = jobOf(resolved, std::move(scene), log);
+    std::vector<RenderRow> rows = measureScene(job, arguments.repeats, *renderer, log);
     for (RenderRow& row : rows) {
       const render::RenderSettings& variant = row.measurement.variant.settings;
       if (!isPublishedWork(variant)) break;
@@ -85,20 +88,20 @@ bool measureTable1(const Arguments& arguments, const Log& log, StructureReport& 
   return true;
 }
 
-bool measureFiles(const Arguments& arguments, const Log& log, StructureReport& report) {
+bool measureFiles(const BenchArguments& arguments, const Log& log, StructureReport& report) {
   const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   for (std::size_t i = 1; i < arguments.files.size(); ++i) {
-    Arguments one = arguments;
+    BenchArguments one = arguments;
     one.files = {arguments.files[i]};
     const RenderJob job = loadJob(one, log);
-    if (!append(measureScene(job.scene(), job.settings, job.arguments, *renderer, log), report)) return false;
+    if (!append(measureScene(job, arguments.repeats, *renderer, log), report)) return false;
   }
   return true;
 }
 
 }  // namespace
 
-ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
+ExitCode runBenchStructures(const BenchArguments& arguments, const Log& log) {
   StructureReport report;
   report.repeats = arguments.repeats;
   const bool table1 = arguments.files.front() == "table1";
@@ -107,7 +110,8 @@ ExitCode runBenchStructures(const Arguments& arguments, const Log& log) {
     log.note("interrupted; nothing is written");
     return ExitCode::interrupted;
   }
-  return publish(report, arguments, log, "the images of some structures differ; their times are left out");
+  return publish(report, arguments, log, "the images of some structures differ; their times are left out",
+                 arguments.svg);
 }
 
 }  // namespace candela::cli

@@ -26,7 +26,7 @@ void requireReadableSize(std::size_t boxCount) {
 
 }  // namespace
 
-ExitCode runBoxes(const Arguments& arguments, const Log& log) {
+ExitCode run(const BoxesArguments& arguments, const Log& log) {
   const scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireUnread(arguments, loaded.files);
@@ -35,7 +35,7 @@ ExitCode runBoxes(const Arguments& arguments, const Log& log) {
   const accel::Bvh bvh = flatten::buildHierarchy(accel::boundPrimitives(loaded.scene).bounds,
                                                  arguments.request.structure.bvhSplit,
                                                  arguments.request.structure.bvhQuality);
-  const std::vector<accel::LevelBox> boxes = levelBoxes(bvh, arguments.boxDepth);
+  const std::vector<accel::LevelBox> boxes = levelBoxes(bvh, arguments.depth);
   requireReadableSize(boxes.size());
   const std::uint32_t deepest = quality(bvh).depth;
   writeSceneText(arguments.generatedFile, [&](const auto& sink) {

@@ -9,7 +9,8 @@
 
 namespace candela::cli {
 
-CachedDevice::CachedDevice(const Arguments& arguments, const Log& log, const std::vector<std::string>& windowExtensions)
+CachedDevice::CachedDevice(const OpenDeviceArguments& arguments, const Log& log,
+                           const std::vector<std::string>& windowExtensions)
     : log_(log),
       device_(vulkan::Device::open(arguments.device,
                                    {.hangTimeout = arguments.hangTimeout, .windowExtensions = windowExtensions})),

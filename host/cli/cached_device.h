@@ -17,7 +17,8 @@ namespace candela::cli {
 /// read or written, the log has the reason, and the file is not changed or is replaced. Throws NoDeviceError.
 class CachedDevice {
  public:
-  CachedDevice(const Arguments& arguments, const Log& log, const std::vector<std::string>& windowExtensions = {});
+  CachedDevice(const OpenDeviceArguments& arguments, const Log& log,
+               const std::vector<std::string>& windowExtensions = {});
   CachedDevice(const CachedDevice&) = delete;
   CachedDevice& operator=(const CachedDevice&) = delete;
   ~CachedDevice();

@@ -27,18 +27,18 @@ using capture::Capture;
 using conformance::Case;
 using conformance::Cases;
 
-std::optional<vulkan::DeviceInfo> otherDevice(const Arguments& arguments, const vulkan::DeviceInfo& device) {
-  if (arguments.capture.expect.empty()) return std::nullopt;
-  const vulkan::DeviceInfo other = vulkan::selectDevice(arguments.capture.expect);
+std::optional<vulkan::DeviceInfo> otherDevice(const CaptureArguments& arguments, const vulkan::DeviceInfo& device) {
+  if (arguments.expect.empty()) return std::nullopt;
+  const vulkan::DeviceInfo other = vulkan::selectDevice(arguments.expect);
   if (other.index != device.index) return other;
   throw UsageError(
       fmt::format("--expect {}: {} cannot be compared with itself; choose another device (see candela "
                   "devices)",
-                  arguments.capture.expect, device.name));
+                  arguments.expect, device.name));
 }
 
 // Refuses options of renders for cases.
-void refuseSceneOptions(const Arguments& arguments) {
+void refuseSceneOptions(const CaptureArguments& arguments) {
   for (const std::string& option : arguments.given) {
     static constexpr std::array kOfCases{"--output", "--expect", "--device", "--quiet", "--verbose"};
     if (std::ranges::find(kOfCases, option) != kOfCases.end()) continue;
@@ -46,7 +46,7 @@ void refuseSceneOptions(const Arguments& arguments) {
   }
 }
 
-Capture captureOfCase(const Case& question, const Arguments& arguments) {
+Capture captureOfCase(const Case& question, const CaptureArguments& arguments) {
   refuseSceneOptions(arguments);
   const vulkan::DeviceInfo device = vulkan::selectDevice(arguments.device);
   const std::optional<vulkan::DeviceInfo> other = otherDevice(arguments, device);
@@ -58,25 +58,23 @@ Capture captureOfCase(const Case& question, const Arguments& arguments) {
 }
 
 // The text of NFF and P3F can be divided into statements; other scenes are divided into primitives.
-std::unique_ptr<capture::SceneParts> partsOf(const RenderJob& job) {
-  const std::filesystem::path file = job.arguments.files.front();
+std::unique_ptr<capture::SceneParts> partsOf(const RenderJob& job, const std::filesystem::path& file) {
   const std::string text = scene::readFile(file);
   if (!scene::nffLoader().recognises(text)) return capture::primitivesOf(job.scene());
-  return capture::statementsOf(text, file.string(), scene::folderOrCurrent(file.parent_path()).string(),
-                               job.arguments.loadOptions);
+  return capture::statementsOf(text, file.string(), scene::folderOrCurrent(file.parent_path()).string(), job.reading);
 }
 
-Capture captureOfScene(const Arguments& arguments, const Log& log) {
+Capture captureOfScene(const CaptureArguments& arguments, const Log& log) {
   if (!arguments.pixel) {
     throw UsageError("--pixel X,Y is missing: `candela explain SCENE` names the pixel that differs most");
   }
   const RenderJob job = loadJob(arguments, log);
-  capture::SceneRequest request{.settings = job.settings, .sample = sampleAskedFor(job)};
+  capture::SceneRequest request{.settings = job.settings, .sample = sampleAskedFor(arguments, job.settings.image)};
   request.device.info = vulkan::selectDevice(arguments.device);
   if (const auto other = otherDevice(arguments, request.device.info)) request.expect = {*other};
-  request.shrinkSeconds = arguments.capture.shrinkSeconds;
+  request.shrinkSeconds = arguments.shrinkSeconds;
   request.stop = &watchInterrupts();
-  return captureScene(job.scene(), *partsOf(job), request);
+  return captureScene(job.scene(), *partsOf(job, arguments.files.front()), request);
 }
 
 bool looksLikeCase(const std::string& word) {
@@ -97,7 +95,7 @@ Cases casesFor(const std::string& word) {
   return word.rfind("variants.", 0) == 0 ? conformance::variantCases() : conformance::allCases();
 }
 
-Capture captureOf(const Arguments& arguments, const Log& log) {
+Capture captureOf(const CaptureArguments& arguments, const Log& log) {
   const std::string& word = arguments.files.front();
   const Cases cases = casesFor(word);
   const auto found = std::ranges::find(cases, word, &Case::name);
@@ -106,9 +104,9 @@ Capture captureOf(const Arguments& arguments, const Log& log) {
   return captureOfScene(arguments, log);
 }
 
-void report(const Capture& capture, const Arguments& arguments) {
+void report(const Capture& capture, const CaptureArguments& arguments) {
   if (arguments.quiet) return;
-  const std::string folder = shellQuoted(arguments.capture.folder.string());
+  const std::string folder = shellQuoted(arguments.folder.string());
   std::cout << capture.title << "\n"
             << (capture.note.empty() ? "" : capture.note + "\n")
             << (capture.found.empty()
@@ -121,14 +119,14 @@ void report(const Capture& capture, const Arguments& arguments) {
 
 }  // namespace
 
-ExitCode runCapture(const Arguments& arguments, const Log& log) {
+ExitCode run(const CaptureArguments& arguments, const Log& log) {
   requireVulkanDevice(arguments, "the reference tracer does not run on a Vulkan driver");
-  if (arguments.capture.folder.empty()) throw UsageError("no output given: name a new folder with -o FOLDER");
-  capture::requireNewFolder(arguments.capture.folder);
+  if (arguments.folder.empty()) throw UsageError("no output given: name a new folder with -o FOLDER");
+  capture::requireNewFolder(arguments.folder);
   const std::atomic<bool>& interrupted = watchInterrupts();
   const Capture capture = captureOf(arguments, log);
   if (interrupted) throw InterruptedError("interrupted; nothing was written");
-  capture::writeFolder(capture, arguments.capture.folder);
+  capture::writeFolder(capture, arguments.folder);
   report(capture, arguments);
   return ExitCode::done;
 }

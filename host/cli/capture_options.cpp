@@ -9,14 +9,14 @@ namespace candela::cli {
 std::vector<Option> captureOptions() {
   constexpr OptionGroup kGroup = OptionGroup::capture;
   return {
-    path({"-o,--output", kCapture, kGroup, "new folder with the program and its data"}, "FOLDER",
-         [](auto& a) -> auto& { return a.capture.folder; }),
-    valued({"--pixel", kCapture, kGroup, "for a scene: pixel whose sample is captured; 0,0 is the top left"},
+    path<CaptureArguments>({"-o,--output", kGroup, "new folder with the program and its data"}, "FOLDER",
+         [](auto& a) -> auto& { return a.folder; }),
+    valued<CaptureArguments>({"--pixel", kGroup, "for a scene: pixel whose sample is captured; 0,0 is the top left"},
            orAbsent(pixelPosition(image::kMaxImageSide - 1), ""), [](auto& a) -> auto& { return a.pixel; }),
-    valued({"--expect", kCapture, kGroup, "expect exactly the values that another device computes, named as for --device (default: the values that the host computes, with a tolerance for each)"},
-           text("DEVICE", "a device"), [](auto& a) -> auto& { return a.capture.expect; }),
-    valued({"--shrink-time", kCapture | kConformance, kGroup, "if the device is wrong: time for removing the parts of the scene, or the transformations of a variant, that the failure does not need; 0s: none"},
-           duration(0), [](auto& a) -> auto& { return a.capture.shrinkSeconds; }),
+    valued<CaptureArguments>({"--expect", kGroup, "expect exactly the values that another device computes, named as for --device (default: the values that the host computes, with a tolerance for each)"},
+           text("DEVICE", "a device"), [](auto& a) -> auto& { return a.expect; }),
+    valued<ShrinkArguments>({"--shrink-time", kGroup, "if the device is wrong: time for removing the parts of the scene, or the transformations of a variant, that the failure does not need; 0s: none"},
+           duration(0), [](auto& a) -> auto& { return a.shrinkSeconds; }),
   };
 }
 // clang-format on

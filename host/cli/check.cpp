@@ -6,6 +6,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/separate_files.h"
+#include "host/cli/text_output.h"
 #include "host/core/report_head.h"
 #include "host/formats/load_scene.h"
 #include "host/scene/report.h"
@@ -31,13 +32,13 @@ ordered_json errorsOf(const FileError& error) {
 
 // Returns one file's entry of the JSON report, and prints the text at once. Errors do not prevent the check of later
 // files.
-ordered_json checkFile(const std::string& file, const Arguments& arguments, const Log& log) {
+ordered_json checkFile(const std::string& file, const CheckArguments& arguments, const Log& log) {
   ordered_json entry{{"file", file}, {"valid", true}, {"errors", ordered_json::array()}};
   try {
     const scene::LoadedScene loaded = formats::loadScene(file, arguments.loadOptions);
     requireUnread(arguments, loaded.files);
     const scene::SceneReport report = scene::makeReport(loaded);
-    if (arguments.wantsText()) std::cout << scene::toText(report) << std::flush;
+    if (wantsText(arguments, {arguments.json})) std::cout << scene::toText(report) << std::flush;
     entry["report"] = scene::toJson(report);
   } catch (const FileError& error) {
     log.problem(error.what());
@@ -49,7 +50,7 @@ ordered_json checkFile(const std::string& file, const Arguments& arguments, cons
 
 }  // namespace
 
-ExitCode runCheck(const Arguments& arguments, const Log& log) {
+ExitCode run(const CheckArguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   ordered_json json = reportHead("candela-check/1");
   json["files"] = ordered_json::array();

@@ -9,7 +9,7 @@
 #include "host/cli/argument_checks.h"
 #include "host/cli/commands.h"
 #include "host/cli/did_you_mean.h"
-#include "host/cli/option_groups.h"
+#include "host/cli/option_table.h"
 #include "host/core/errors.h"
 #include "host/core/setting_words.h"
 
@@ -41,28 +41,34 @@ bool asksForHelp(std::span<const std::string> words) {
   return isOption && words.size() > 1 && commandNamed(words[1]) != nullptr;
 }
 
-// Removes the command from `words`. Without a command, `render` is assumed.
-void takeCommand(std::span<const std::string>& words, Arguments& arguments) {
+// Removes the command from `words`, and returns its arguments. Without a command, `render` is assumed.
+Arguments takeCommand(std::span<const std::string>& words) {
   const CommandInfo* const info = commandNamed(words.front());
-  if (info == nullptr) return refuseMistypedCommand(words.front());
+  if (info == nullptr) {
+    refuseMistypedCommand(words.front());
+    return {};
+  }
   words = words.subspan(1);
-  arguments.command = info->command;
-  arguments.commandNamed = true;
+  Arguments arguments = defaultArguments(info->command);
+  partOf<GeneralArguments>(arguments).commandNamed = true;
+  return arguments;
 }
 
 Arguments helpFor(std::span<const std::string> words) {
   Arguments arguments;
-  arguments.help = true;
-  if (words.empty()) return arguments;
-  takeCommand(words, arguments);
-  if (!arguments.commandNamed) throw UsageError(fmt::format("unknown command {}\nsee candela --help", words.front()));
+  if (!words.empty()) {
+    arguments = takeCommand(words);
+    if (!partOf<GeneralArguments>(arguments).commandNamed)
+      throw UsageError(fmt::format("unknown command {}\nsee candela --help", words.front()));
+  }
+  partOf<GeneralArguments>(arguments).help = true;
   return arguments;
 }
 
 // A scene is read from stdin under the name that the system gives it.
 void nameStdin(Arguments& arguments) {
-  if ((static_cast<unsigned>(arguments.command) & kReadingScenes) == 0) return;
-  std::ranges::replace(arguments.files, std::string("-"), std::string("/dev/stdin"));
+  auto* const scenes = findPart<SceneArguments>(arguments);
+  if (scenes != nullptr) std::ranges::replace(scenes->files, std::string("-"), std::string("/dev/stdin"));
 }
 
 }  // namespace
@@ -71,15 +77,15 @@ Arguments parseCommandLine(std::span<const std::string> words) {
   setSettingWords(&optionWords);
   if (words.empty()) throw UsageError("no scene given\nsee candela --help");
   if (asksForHelp(words)) return helpFor(words.subspan(1));
-  Arguments arguments;
-  takeCommand(words, arguments);
+  Arguments arguments = takeCommand(words);
   try {
     applyOptions(words, arguments);
-    if (arguments.help || arguments.version) return arguments;
+    const GeneralArguments& general = partOf<GeneralArguments>(arguments);
+    if (general.help || general.version) return arguments;
     nameStdin(arguments);
     checkArguments(arguments);
   } catch (const UsageError& error) {
-    throw UsageError(fmt::format("{}\nsee candela {} --help", error.what(), commandInfo(arguments.command).name));
+    throw UsageError(fmt::format("{}\nsee candela {} --help", error.what(), commandInfo(commandOf(arguments)).name));
   }
   return arguments;
 }

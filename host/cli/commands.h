@@ -1,11 +1,12 @@
-// The commands: their names, their arguments, and the functions that execute them.
+// The commands: their names, their numbers of files, and the functions that execute them.
 #pragma once
 #include <cstddef>
 #include <span>
 #include <string>
 
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 #include "host/core/errors.h"
+#include "host/core/log.h"
 
 namespace candela::cli {
 
@@ -17,7 +18,6 @@ struct CommandInfo {
   std::string fileNoun;  ///< noun for a missing file in messages
   std::size_t minFileCount;
   std::size_t maxFileCount;
-  ExitCode (*run)(const Arguments&, const Log&);
 };
 
 std::span<const CommandInfo> commandTable();
@@ -25,28 +25,29 @@ const CommandInfo& commandInfo(Command command);
 
 // Each command has a separate file. Commands return an exit code for results (done, differ, interrupted, invalid
 // scenes) and throw Error if there is no result.
-ExitCode runRender(const Arguments& arguments, const Log& log);
-ExitCode runDevices(const Arguments& arguments, const Log& log);
-ExitCode runDoctor(const Arguments& arguments, const Log& log);
-ExitCode runCheck(const Arguments& arguments, const Log& log);
-ExitCode runCompare(const Arguments& arguments, const Log& log);
-ExitCode runConformance(const Arguments& arguments, const Log& log);
-ExitCode runCapture(const Arguments& arguments, const Log& log);
-ExitCode runVerify(const Arguments& arguments, const Log& log);
-ExitCode runExplain(const Arguments& arguments, const Log& log);
-ExitCode runBench(const Arguments& arguments, const Log& log);
-// The benchmarks of runBench(), by their first argument.
-ExitCode runBenchStructures(const Arguments& arguments, const Log& log);  ///< `table1`, `accel`
-ExitCode runBenchRays(const Arguments& arguments, const Log& log);        ///< `rays`
-ExitCode runBenchScenes(const Arguments& arguments, const Log& log);      ///< scenes
-ExitCode runBenchCompare(const Arguments& arguments, const Log& log);     ///< `compare`
-ExitCode runTune(const Arguments& arguments, const Log& log);
-ExitCode runFilm(const Arguments& arguments, const Log& log);
-ExitCode runDenoise(const Arguments& arguments, const Log& log);
-ExitCode runMerge(const Arguments& arguments, const Log& log);
-ExitCode runGenerate(const Arguments& arguments, const Log& log);
-ExitCode runReport(const Arguments& arguments, const Log& log);
-ExitCode runView(const Arguments& arguments, const Log& log);
-ExitCode runBoxes(const Arguments& arguments, const Log& log);
+ExitCode run(const RenderArguments& arguments, const Log& log);
+ExitCode run(const DevicesArguments& arguments, const Log& log);
+ExitCode run(const DoctorArguments& arguments, const Log& log);
+ExitCode run(const CheckArguments& arguments, const Log& log);
+ExitCode run(const CompareArguments& arguments, const Log& log);
+ExitCode run(const ConformanceArguments& arguments, const Log& log);
+ExitCode run(const CaptureArguments& arguments, const Log& log);
+ExitCode run(const VerifyArguments& arguments, const Log& log);
+ExitCode run(const ExplainArguments& arguments, const Log& log);
+ExitCode run(const BenchArguments& arguments, const Log& log);
+ExitCode run(const TuneArguments& arguments, const Log& log);
+ExitCode run(const FilmArguments& arguments, const Log& log);
+ExitCode run(const DenoiseArguments& arguments, const Log& log);
+ExitCode run(const MergeArguments& arguments, const Log& log);
+ExitCode run(const GenerateArguments& arguments, const Log& log);
+ExitCode run(const ReportArguments& arguments, const Log& log);
+ExitCode run(const ViewArguments& arguments, const Log& log);
+ExitCode run(const BoxesArguments& arguments, const Log& log);
+
+// The benchmarks of `candela bench`, by its first argument.
+ExitCode runBenchStructures(const BenchArguments& arguments, const Log& log);  ///< `table1`, `accel`
+ExitCode runBenchRays(const BenchArguments& arguments, const Log& log);        ///< `rays`
+ExitCode runBenchScenes(const BenchArguments& arguments, const Log& log);      ///< scenes
+ExitCode runBenchCompare(const BenchArguments& arguments, const Log& log);     ///< `compare`
 
 }  // namespace candela::cli

@@ -21,7 +21,7 @@ void requireComparable(const std::vector<std::string>& files) {
 
 }  // namespace
 
-ExitCode runCompare(const Arguments& arguments, const Log& log) {
+ExitCode run(const CompareArguments& arguments, const Log& log) {
   requireComparable(arguments.files);
   return arguments.files.size() == 2 ? compareImageFiles(arguments, log) : compareTracersOnScene(arguments, log);
 }

@@ -1,6 +1,7 @@
 // `candela compare A B`: computes the differences between two images, and judges them.
 #include <fmt/format.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -22,7 +23,7 @@ image::Image readPicture(const std::string& file, const Log& log) {
   return picture;
 }
 
-void writePictures(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+void writePictures(const CompareArguments& arguments, const image::Image& a, const image::Image& reference,
                    const image::FlipResult& flip) {
   constexpr image::DisplayTransform kAsTheyAre{};  // the pictures are already display-referred
   if (!arguments.differenceFile.empty()) {
@@ -33,7 +34,7 @@ void writePictures(const Arguments& arguments, const image::Image& a, const imag
 
 }  // namespace
 
-ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
+ExitCode compareImageFiles(const CompareArguments& arguments, const Log& log) {
   for (const auto& file : {arguments.differenceFile, arguments.flipFile}) {
     if (!file.empty()) requireWritableImage(file);
   }
@@ -45,7 +46,8 @@ ExitCode compareImageFiles(const Arguments& arguments, const Log& log) {
   const bool isApart = !pair.verdict.whyApart.empty();
 
   if (!isApart) writePictures(arguments, a, reference, pair.flip);
-  if (arguments.wantsText()) textStream(arguments) << toText(pair) << std::flush;
+  if (wantsText(arguments, {arguments.json}))
+    textStream(std::array{arguments.differenceFile, arguments.flipFile}) << toText(pair) << std::flush;
   writeJson(arguments.json, toJson(pair));
   if (!arguments.report.empty() && !isApart) {
     writeReport(arguments.report, imageReport(arguments, a, reference, pair.comparison, pair.flip, pair.verdict));

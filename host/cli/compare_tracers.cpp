@@ -9,12 +9,13 @@
 #include "host/cli/render_job.h"
 #include "host/cli/report_page.h"
 #include "host/cli/requirements.h"
+#include "host/cli/text_output.h"
 #include "host/reference/reference_renderer.h"
 #include "host/verify/agreement.h"
 
 namespace candela::cli {
 
-ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
+ExitCode compareTracersOnScene(const CompareArguments& arguments, const Log& log) {
   requireComparable(arguments);
   requireWritableReport(arguments.json);
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
@@ -27,7 +28,7 @@ ExitCode compareTracersOnScene(const Arguments& arguments, const Log& log) {
                                   makeControl(progress));
   }();
   render::requireComplete(report.deviceStatistics);
-  if (arguments.wantsText()) std::cout << report.toText() << std::flush;
+  if (wantsText(arguments, {arguments.json})) std::cout << report.toText() << std::flush;
   reportBadSamples(report.badSamples, job, log);
   nlohmann::ordered_json json = report.toJson();
   json["badSamples"] = badSamplesJson(report.badSamples, job);

@@ -7,7 +7,7 @@
 namespace candela::cli {
 
 /// Returns ExitCode::undecided for a verdict that is not decided, unless --allow-undecided makes it a success.
-inline ExitCode exitCodeOf(verify::Conclusion conclusion, const Arguments& arguments) {
+inline ExitCode exitCodeOf(verify::Conclusion conclusion, const VerdictArguments& arguments) {
   if (conclusion == verify::Conclusion::different) return ExitCode::differ;
   const bool isOpen = conclusion == verify::Conclusion::undecided && !arguments.allowUndecided;
   return isOpen ? ExitCode::undecided : ExitCode::done;

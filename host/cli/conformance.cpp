@@ -97,25 +97,25 @@ bool isWorthALine(const CaseResult& result, const Log& log) {
          log.verbosity() == Verbosity::verbose;
 }
 
-void requireWritableOutputs(const Arguments& arguments) {
-  if (!arguments.conformance.captures.empty()) capture::requireNewFolder(arguments.conformance.captures);
-  for (const std::string& target : {arguments.conformance.csv, arguments.json, arguments.junit}) {
+void requireWritableOutputs(const ConformanceArguments& arguments) {
+  if (!arguments.captures.empty()) capture::requireNewFolder(arguments.captures);
+  for (const std::string& target : {arguments.csv, arguments.json, arguments.junit}) {
     requireWritableReport(target);
   }
 }
 
 }  // namespace
 
-ExitCode runConformance(const Arguments& arguments, const Log& log) {
+ExitCode run(const ConformanceArguments& arguments, const Log& log) {
   requireVulkanDevice(arguments, "the cases test a Vulkan driver, which the reference tracer does not use");
-  const Cases cases = chosenCases(arguments.conformance);
-  if (arguments.conformance.list) {
+  const Cases cases = chosenCases(arguments);
+  if (arguments.list) {
     printNames(cases);
     return ExitCode::done;
   }
   requireWritableOutputs(arguments);
-  conformance::RunOptions options = optionsFrom(arguments.conformance, log);
-  const bool asText = arguments.wantsText() && arguments.junit != "-" && arguments.conformance.csv != "-";
+  conformance::RunOptions options = optionsFrom(arguments, log);
+  const bool asText = wantsText(arguments, {arguments.json, arguments.junit, arguments.csv});
   options.note = [&](const CaseResult& result) {
     if (asText && isWorthALine(result, log)) std::cout << lineOf(result) << std::flush;
   };
@@ -124,13 +124,13 @@ ExitCode runConformance(const Arguments& arguments, const Log& log) {
   options.stop = &watchInterrupts();
   Stopwatch watch;
   conformance::RunResult run = conformance::runCases(cases, device, options);
-  shrinkFailures({options.timeout, arguments.capture.shrinkSeconds, options.stop}, run, cases, device, log);
+  shrinkFailures({options.timeout, arguments.shrinkSeconds, options.stop}, run, cases, device, log);
   const double seconds = watch.lap();
   if (asText) std::cout << fmt::format("{} ({:.1f} s)\n", countsOf(run), seconds) << std::flush;
-  writeText(arguments.conformance.csv, toCsv(run));
+  writeText(arguments.csv, toCsv(run));
   writeText(arguments.junit, toJunit(run, device, seconds));
   writeJson(arguments.json, toJson(run, device, seconds));
-  captureFailures(arguments, run, cases, device, log);
+  captureFailures(arguments.captures, run, cases, device, log);
   if (*options.stop) {
     log.problem(interruptionOf(run, cases.size()));
     return ExitCode::interrupted;

@@ -71,9 +71,8 @@ void shrinkFailures(const conformance::ShrinkLimits& limits, conformance::RunRes
   }
 }
 
-void captureFailures(const Arguments& arguments, const conformance::RunResult& run, const Cases& cases,
+void captureFailures(const std::filesystem::path& folder, const conformance::RunResult& run, const Cases& cases,
                      const vulkan::DeviceInfo& device, const Log& log) {
-  const std::filesystem::path& folder = arguments.conformance.captures;
   if (folder.empty()) return;
   bool isNew = false;
   std::error_code ignored;

@@ -1,7 +1,9 @@
 // Shrinks and captures the failures of `candela conformance`.
 #pragma once
-#include "host/cli/arguments.h"
+#include <filesystem>
+
 #include "host/conformance/runner.h"
+#include "host/core/log.h"
 
 namespace candela::cli {
 
@@ -10,8 +12,9 @@ namespace candela::cli {
 void shrinkFailures(const conformance::ShrinkLimits& limits, conformance::RunResult& run,
                     const conformance::Cases& cases, const vulkan::DeviceInfo& device, const Log& log);
 
-/// Captures the failures for --capture. Ends at an interruption; the captures before it remain.
-void captureFailures(const Arguments& arguments, const conformance::RunResult& run, const conformance::Cases& cases,
-                     const vulkan::DeviceInfo& device, const Log& log);
+/// Captures the failures in a new folder; if it has no name, nowhere. Ends at an interruption; the captures before it
+/// remain.
+void captureFailures(const std::filesystem::path& folder, const conformance::RunResult& run,
+                     const conformance::Cases& cases, const vulkan::DeviceInfo& device, const Log& log);
 
 }  // namespace candela::cli

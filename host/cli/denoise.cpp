@@ -6,6 +6,7 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_images.h"
 #include "host/core/progress.h"
+#include "host/denoise/oidn.h"
 #include "host/denoise/pixel_statistics.h"
 #include "host/film/film_file.h"
 
@@ -21,8 +22,8 @@ void requireStatisticsOf(const film::FilmReader& reader, const image::Film& film
 
 }  // namespace
 
-ExitCode runDenoise(const Arguments& arguments, const Log& log) {
-  requireDenoisable(arguments);
+ExitCode run(const DenoiseArguments& arguments, const Log& log) {
+  if (arguments.denoisesByOidn) denoise::requireOidn();
   if (arguments.outputs.empty()) throw UsageError("no output given: name an image file with -o FILE");
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   film::FilmReader reader(arguments.files.front());
@@ -33,7 +34,7 @@ ExitCode runDenoise(const Arguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   denoiseImage(image, film, arguments, log);
   log.note(fmt::format("{}x{} pixels denoised in {:.2f} s", film.width(), film.height(), monotonicSeconds() - start));
-  writeImages(std::move(image), withIntegrator(arguments, header), log);
+  writeImages(std::move(image), arguments, integratorOf(header), log);
   return ExitCode::done;
 }
 

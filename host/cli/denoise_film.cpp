@@ -17,14 +17,14 @@ namespace {
 
 // A finished render is not lost with its device: the host denoises it instead. `candela denoise` has a file that is not
 // lost, and needs a device that can be opened.
-std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const Arguments& arguments,
+std::vector<glm::vec3> filterOnDevice(const denoise::PixelStatistics& statistics, const OpenDeviceArguments& device,
                                       bool isOfRender, const Log& log) {
   const auto filterOnHost = [&](const Error& error) {
     log.warning(fmt::format("{}; the image is denoised on the host instead", error.what()));
     return filterByReference(statistics);
   };
   try {
-    CachedDevice cached(arguments, log);
+    CachedDevice cached(device, log);
     return denoise::filterOnDevice(cached.device(), statistics);
   } catch (const DeviceLostError& error) {
     return filterOnHost(error);
@@ -54,12 +54,11 @@ void reportLimited(const denoise::LimitedLight& limited, image::Image& image, co
   log.note(text + "; add samples to keep it");
 }
 
-void denoisePicture(image::Image& image, const image::Film& film, const Arguments& arguments, bool isOfRender,
-                    const Log& log) {
-  if (arguments.denoisesByOidn && denoiseByOidn(image, film, log)) return;
+void denoisePicture(image::Image& image, const image::Film& film, bool byOidn, const OpenDeviceArguments& device,
+                    bool isOfRender, const Log& log) {
+  if (byOidn && denoiseByOidn(image, film, log)) return;
   const denoise::LimitedLight limited = denoise::denoise(image, film, [&](const denoise::PixelStatistics& statistics) {
-    return arguments.usesReference() ? filterByReference(statistics)
-                                     : filterOnDevice(statistics, arguments, isOfRender, log);
+    return device.usesReference() ? filterByReference(statistics) : filterOnDevice(statistics, device, isOfRender, log);
   });
   addBias(image.metadata, "denoised: neighbours are averaged");
   if (limited.pixelCount > 0) reportLimited(limited, image, log);
@@ -67,32 +66,32 @@ void denoisePicture(image::Image& image, const image::Film& film, const Argument
 
 }  // namespace
 
-void requireDenoisable(const Arguments& arguments) {
+void requireDenoisable(const RenderArguments& arguments) {
   if (arguments.denoisesByOidn) denoise::requireOidn();
   if (!arguments.denoise || arguments.request.image.integrator == render::Integrator::path) return;
   throw UsageError(fmt::format("only the path tracer has the statistics that denoising needs; use {}",
                                settingWords("integrator", "path")));
 }
 
-void requireDenoisable(const RenderJob& job) {
-  if (!job.arguments.denoise || job.settings.image.sampleCount >= 2) return;
+void requireDenoisable(const RenderArguments& arguments, const render::ImageSettings& image) {
+  if (!arguments.denoise || image.sampleCount >= 2) return;
   throw UsageError(
       fmt::format("denoising needs at least two samples per pixel; use {} or more", settingWords("spp", "2")));
 }
 
-Arguments withDenoiseLayers(Arguments arguments) {
+RenderArguments withDenoiseLayers(RenderArguments arguments) {
   if (arguments.denoise) arguments.request.image.layers.add(image::Layer::moments);
   return arguments;
 }
 
-void denoiseImage(image::Image& image, const image::Film& film, const Arguments& arguments, const Log& log) {
-  denoisePicture(image, film, arguments, false, log);
+void denoiseImage(image::Image& image, const image::Film& film, const DenoiseArguments& arguments, const Log& log) {
+  denoisePicture(image, film, arguments.denoisesByOidn, arguments, false, log);
 }
 
-void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const Arguments& arguments,
+void denoiseResult(image::Image& image, const image::Film& film, bool isInterrupted, const RenderArguments& arguments,
                    const Log& log) {
   try {
-    denoisePicture(image, film, arguments, true, log);
+    denoisePicture(image, film, arguments.denoisesByOidn, arguments, true, log);
   } catch (const UsageError& error) {
     if (!isInterrupted) throw;
     log.warning(fmt::format("the image is not denoised: {}", error.what()));

@@ -9,6 +9,7 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/requirements.h"
+#include "host/cli/text_output.h"
 #include "host/core/report_head.h"
 
 namespace candela::cli {
@@ -34,7 +35,7 @@ std::string toText(const ListedDevice& listed) {
 
 }  // namespace
 
-ExitCode runDevices(const Arguments& arguments, const Log& log) {
+ExitCode run(const DevicesArguments& arguments, const Log& log) {
   requireWritableReport(arguments.json);
   requireVulkanDevice(arguments, "the reference tracer is not a Vulkan device");
   nlohmann::ordered_json json = reportHead("candela-devices/1");
@@ -45,7 +46,7 @@ ExitCode runDevices(const Arguments& arguments, const Log& log) {
     json["devices"].push_back(toJson(device));
   }
   if (arguments.device.empty()) text += "cpu  the reference tracer, in double precision (--device cpu)\n";
-  if (arguments.wantsText()) std::cout << text << std::flush;
+  if (wantsText(arguments, {arguments.json})) std::cout << text << std::flush;
   writeJson(arguments.json, json);
   return ExitCode::done;
 }

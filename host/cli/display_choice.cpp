@@ -18,12 +18,16 @@ double valueAtOne(const image::DisplayTransform& display) {
 
 }  // namespace
 
-image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::Image& image) {
-  image::DisplayTransform display = arguments.display;
+image::DisplayTransform chooseDisplay(const PictureArguments& arguments, render::Integrator integrator,
+                                      const image::Image& image) {
+  image::DisplayTransform display;
   display.exposure = arguments.exposure ? *arguments.exposure : automaticExposure(image);
-  if (arguments.given.contains("--tonemap")) return display;
-  if (arguments.request.image.integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
-  if (arguments.request.image.integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
+  if (arguments.toneMap) {
+    display.toneMap = *arguments.toneMap;
+    return display;
+  }
+  if (integrator == render::Integrator::depth) display.toneMap = image::ToneMap::depth;
+  if (integrator == render::Integrator::cost) display.toneMap = image::ToneMap::heat;
   if (isFalseColour(display.toneMap)) {
     display.exposure = arguments.exposure.value_or(0);
     display.scale = falseColourScale(image, display.toneMap);

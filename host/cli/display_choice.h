@@ -6,9 +6,10 @@
 
 namespace candela::cli {
 
-/// Returns the transform of the options; without --tonemap, depths and costs get their false colours, scaled to the
-/// image. `--exposure auto` is computed from the image, and is 0 for false colours.
-image::DisplayTransform chooseDisplay(const Arguments& arguments, const image::Image& image);
+/// Returns the transform of the options for an image of an integrator; without --tonemap, depths and costs get their
+/// false colours, scaled to the image. `--exposure auto` is computed from the image, and is 0 for false colours.
+image::DisplayTransform chooseDisplay(const PictureArguments& arguments, render::Integrator integrator,
+                                      const image::Image& image);
 
 /// Returns a false colour with its scale, as metadata: "heat, scale 213".
 std::string falseColourText(const image::DisplayTransform& display);

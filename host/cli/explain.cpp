@@ -7,6 +7,7 @@
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/cli/requirements.h"
+#include "host/cli/text_output.h"
 #include "host/explain/explanation.h"
 #include "host/reference/reference_renderer.h"
 #include "host/verify/agreement.h"
@@ -16,19 +17,19 @@ namespace {
 
 using explain::Explanation;
 
-void publish(const Explanation& explanation, const Arguments& arguments) {
+void publish(const Explanation& explanation, const ExplainArguments& arguments) {
   render::requireComplete(explanation.statistics);
-  if (arguments.wantsText()) std::cout << toText(explanation) << std::flush;
+  if (wantsText(arguments, {arguments.json})) std::cout << toText(explanation) << std::flush;
   writeJson(arguments.json, toJson(explanation));
 }
 
 // Renders both images at one sample per pixel to find the pixel.
-ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Renderer& device,
-                           render::Renderer& reference) {
+ExitCode explainWorstPixel(const RenderJob& job, const ExplainArguments& arguments, const Log& log,
+                           render::Renderer& device, render::Renderer& reference) {
   verify::PathRenders renders;  // `compare` reports bad samples
   const std::optional<verify::PixelAgreement> pixels = [&] {
     Progress progress(std::cerr, progressStyle(log.verbosity()));
-    return verify::comparePaths(job.scene(), job.settings, device, reference, job.arguments.verification.alpha,
+    return verify::comparePaths(job.scene(), job.settings, device, reference, verify::LightTestOptions().alpha,
                                 makeControl(progress), renders);
   }();
   if (!pixels) {
@@ -38,25 +39,27 @@ ExitCode explainWorstPixel(const RenderJob& job, const Log& log, render::Rendere
   render::requireComplete(renders.deviceStatistics);
   if (const std::optional<Explanation> worst = explain::explainWorst(job.scene(), job.settings, *pixels, device,
                                                                      reference)) {
-    publish(*worst, job.arguments);
+    publish(*worst, arguments);
     return ExitCode::done;
   }
-  if (job.arguments.wantsText()) std::cout << explain::nothingToExplain(*pixels) << std::endl;
-  writeJson(job.arguments.json, explain::nothingJson(job.scene(), *pixels));
+  if (wantsText(arguments, {arguments.json})) std::cout << explain::nothingToExplain(*pixels) << std::endl;
+  writeJson(arguments.json, explain::nothingJson(job.scene(), *pixels));
   return ExitCode::done;
 }
 
 }  // namespace
 
-ExitCode runExplain(const Arguments& arguments, const Log& log) {
+ExitCode run(const ExplainArguments& arguments, const Log& log) {
   requireExplainable(arguments);
   requireWritableReport(arguments.json);
   const RenderJob job = loadJob(arguments, log);
-  const std::optional<render::PixelSample> sample = arguments.pixel ? std::optional(sampleAskedFor(job)) : std::nullopt;
+  const std::optional<render::PixelSample> sample = arguments.pixel
+                                                        ? std::optional(sampleAskedFor(arguments, job.settings.image))
+                                                        : std::nullopt;
   const std::unique_ptr<render::Renderer> device = makeRenderer(arguments, log);
   const std::unique_ptr<render::Renderer> reference = reference::makeReferenceRenderer();
-  if (!sample) return explainWorstPixel(job, log, *device, *reference);
-  publish(explain::explainSample(job.scene(), job.settings, *sample, *device, *reference), job.arguments);
+  if (!sample) return explainWorstPixel(job, arguments, log, *device, *reference);
+  publish(explain::explainSample(job.scene(), job.settings, *sample, *device, *reference), arguments);
   return ExitCode::done;
 }
 

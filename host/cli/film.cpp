@@ -7,11 +7,12 @@
 #include "host/cli/json_output.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_images.h"
+#include "host/cli/text_output.h"
 #include "host/film/film_file.h"
 
 namespace candela::cli {
 
-ExitCode runFilm(const Arguments& arguments, const Log& log) {
+ExitCode run(const FilmArguments& arguments, const Log& log) {
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   requireWritableReport(arguments.json);
   film::FilmReader reader(arguments.files.front());
@@ -19,9 +20,10 @@ ExitCode runFilm(const Arguments& arguments, const Log& log) {
   const FilmDescription description = describe(reader, film);
   if (!arguments.outputs.empty()) {
     const film::FilmHeader& header = reader.header();
-    writeImages(pictureOf(header, film, metadataOf(header, film)), withIntegrator(arguments, header), log);
+    writeImages(pictureOf(header, film, metadataOf(header, film)), arguments, integratorOf(header), log);
   }
-  if (arguments.wantsText() && arguments.outputs.empty()) std::cout << toText(description) << std::flush;
+  if (wantsText(arguments, {arguments.json}) && arguments.outputs.empty())
+    std::cout << toText(description) << std::flush;
   writeJson(arguments.json, toJson(description));
   return ExitCode::done;
 }

@@ -26,7 +26,7 @@ std::optional<std::string> optionOf(const std::string& name, const std::string& 
   const Option* const option = settingNamed(name);
   if (option == nullptr || isAbsent(*option, value)) return std::nullopt;
   if (option->isFlag()) return option->name();
-  Arguments scratch;
+  Arguments scratch = RenderArguments();
   if (!option->apply(scratch, value)) return std::nullopt;
   return fmt::format("{} {}", option->name(), shellQuoted(value));
 }

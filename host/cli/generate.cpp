@@ -34,8 +34,8 @@ const Kind& kindNamed(const std::string& name) {
   fail(fmt::format("unknown kind {}{}", name, meant.empty() ? "; expected " + joinAlternatives(names) : meant));
 }
 
-std::uint32_t sizeFor(const Kind& kind, const Arguments& arguments) {
-  const std::uint32_t size = arguments.generatedSize.value_or(kind.defaultSize);
+std::uint32_t sizeFor(const Kind& kind, const GenerateArguments& arguments) {
+  const std::uint32_t size = arguments.size.value_or(kind.defaultSize);
   const std::uint32_t largest = kind.maxSize();
   if (size >= kind.minSize && size <= largest) return size;
   fail(fmt::format(
@@ -45,7 +45,7 @@ std::uint32_t sizeFor(const Kind& kind, const Arguments& arguments) {
 
 }  // namespace
 
-ExitCode runGenerate(const Arguments& arguments, const Log& log) {
+ExitCode run(const GenerateArguments& arguments, const Log& log) {
   const Kind& kind = kindNamed(arguments.files.front());
   const std::uint32_t size = sizeFor(kind, arguments);
   requireFormat(kind, arguments.generatedFile);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 
 namespace candela::cli {
 

@@ -88,7 +88,7 @@ void noteIdleOptions(const OptionUse& use, const Log& log) {
   }
 }
 
-void noteLostAlpha(const Arguments& arguments, const Log& log) {
+void noteLostAlpha(const RenderArguments& arguments, const Log& log) {
   const bool hasOther = arguments.outputs.empty() || !arguments.film.checkpoint.empty() || arguments.displayServer;
   if (arguments.request.image.backdrop != render::Backdrop::none || hasOther) return;
   if (std::ranges::any_of(arguments.outputs, hasAlphaChannel)) return;

@@ -1,6 +1,6 @@
 // Notes about options that have no effect on a render.
 #pragma once
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 #include "host/core/log.h"
 #include "host/render/settings.h"
 
@@ -8,7 +8,7 @@ namespace candela::cli {
 
 /// The facts that decide whether the work of a command reads an option.
 struct OptionUse {
-  const Arguments& arguments;
+  const SceneArguments& arguments;
   const render::RenderSettings& settings;
   bool onDevice = true;        ///< a Vulkan device renders
   bool onReference = true;     ///< the reference tracer renders, or may have to
@@ -20,6 +20,6 @@ struct OptionUse {
 /// than an error, so that one command line can be used for all renders.
 void noteIdleOptions(const OptionUse& use, const Log& log);
 /// Logs a note if --background none makes alpha that no output file can store.
-void noteLostAlpha(const Arguments& arguments, const Log& log);
+void noteLostAlpha(const RenderArguments& arguments, const Log& log);
 
 }  // namespace candela::cli

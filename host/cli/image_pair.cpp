@@ -38,7 +38,7 @@ nlohmann::ordered_json toJson(const ImageBadSamples& bad) {
 
 }  // namespace
 
-ImagePair comparePair(const Arguments& arguments, image::Image& a, image::Image& reference) {
+ImagePair comparePair(const CompareArguments& arguments, image::Image& a, image::Image& reference) {
   ImagePair pair;
   pair.verdict.whyApart = image::whyApart(a, reference);
   if (!pair.verdict.whyApart.empty()) return pair;
@@ -47,7 +47,7 @@ ImagePair comparePair(const Arguments& arguments, image::Image& a, image::Image&
   pair.frame = frameOf(a);
   pair.channels = compareChannels(a, reference, arguments.channels);
   pair.comparison = compareImages(a, reference);
-  const image::DisplayTransform display = chooseDisplay(arguments, reference);
+  const image::DisplayTransform display = chooseDisplay(arguments, render::Integrator::path, reference);
   pair.flip = computeFlip(displayed(a, display), displayed(reference, display));
   pair.verdict = judgeImages(arguments, a, reference, pair.comparison, pair.channels);
   pair.badInA = badSamplesOf(a);

@@ -35,7 +35,7 @@ struct ImagePair {
 /// Cuts both images to their common window, and compares `a` with `reference` by the options of `arguments`. If they
 /// have none (image::whyApart), the images stay as they are, and there are no figures but the verdict. Throws
 /// UsageError if a channel of --channels is missing, or as judgeImages() does.
-ImagePair comparePair(const Arguments& arguments, image::Image& a, image::Image& reference);
+ImagePair comparePair(const CompareArguments& arguments, image::Image& a, image::Image& reference);
 
 /// Returns lines, each ending in a newline.
 std::string toText(const ImagePair& pair);

@@ -25,7 +25,8 @@ bool isMeasurement(const image::Image& image) {
 }
 
 // Adds the result of the test, or the reason why there is none.
-void test(ImageVerdict& verdict, const Arguments& arguments, const image::Image& a, const image::Image& reference) {
+void test(ImageVerdict& verdict, const CompareArguments& arguments, const image::Image& a,
+          const image::Image& reference) {
   const bool asked = arguments.given.contains("--alpha");
   if (!asked && (verdict.tolerance || !isMeasurement(a) || !isMeasurement(reference))) return;
   const std::optional<std::string> obstacle = verify::whyNotTestable(a, reference);
@@ -39,7 +40,7 @@ void test(ImageVerdict& verdict, const Arguments& arguments, const image::Image&
 
 }  // namespace
 
-ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+ImageVerdict judgeImages(const CompareArguments& arguments, const image::Image& a, const image::Image& reference,
                          const image::ImageComparison& comparison, const image::ChannelComparison& channels) {
   ImageVerdict verdict;
   verdict.tolerance = arguments.tolerance;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 #include "host/image/channel_comparison.h"
 #include "host/image/metrics.h"
 #include "host/verify/film_test.h"
@@ -29,7 +29,7 @@ struct ImageVerdict {
 };
 
 /// Throws UsageError if --alpha is given and the images cannot be tested.
-ImageVerdict judgeImages(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+ImageVerdict judgeImages(const CompareArguments& arguments, const image::Image& a, const image::Image& reference,
                          const image::ImageComparison& comparison, const image::ChannelComparison& channels);
 
 /// Returns lines, each ending in a newline; nothing if there is neither a verdict nor a reason for its absence.

@@ -14,14 +14,14 @@
 
 namespace candela::cli {
 
-ExitCode runMerge(const Arguments& arguments, const Log& log) {
-  requireWritableFilm(arguments.mergedFilm);
+ExitCode run(const MergeArguments& arguments, const Log& log) {
+  requireWritableFilm(arguments.output);
   requireWritableReport(arguments.json);
-  const film::FilmLock lock(arguments.mergedFilm);
+  const film::FilmLock lock(arguments.output);
   const std::vector<std::filesystem::path> files(arguments.files.begin(), arguments.files.end());
   const film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});
-  const std::string check = film::writeFilm(arguments.mergedFilm, merged.header, merged.film);
-  film::writeWork(arguments.mergedFilm, check, merged.work);
+  const std::string check = film::writeFilm(arguments.output, merged.header, merged.film);
+  film::writeWork(arguments.output, check, merged.work);
   const FilmDescription description = describe(merged.header, merged.film, merged.work);
   for (const film::SampleBox& box : description.missing) log.warning(boxText(box) + " are missing");
   for (const film::SampleBox& box : merged.header.begun) log.warning(boxText(box) + " are incomplete");

@@ -124,8 +124,8 @@ Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent) {
     return std::nullopt;
   };
   const auto print = [inner, absent](const std::optional<T>& value) { return value ? inner.print(*value) : absent; };
-  // Defaults such as "the scene's" are words of the help alone.
-  const bool isWord = !absent.empty() && absent.find(' ') == std::string::npos;
+  // Defaults such as "the scene's" are words of the help alone, and others are values.
+  const bool isWord = !absent.empty() && absent.find(' ') == std::string::npos && !inner.parse(absent);
   const std::string expected = isWord ? inner.expected + ", or " + absent : inner.expected;
   return {inner.metavar, expected, parse, print, inner.words};
 }

@@ -27,10 +27,15 @@ const Option* findOption(Command command, const std::string& name) {
   return found == optionTable().end() ? nullptr : &*found;
 }
 
+std::vector<std::string> valuesOf(const Arguments& arguments, const std::string& name) {
+  const Option* const option = findOption(commandOf(arguments), name);
+  return option == nullptr ? std::vector<std::string>{} : option->show(arguments);
+}
+
 std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool onlyChanged) {
   std::string line;
   for (const Option& option : optionTable()) {
-    if (option.group != group) continue;
+    if (option.group != group || !option.isFor(commandOf(arguments))) continue;
     for (const std::string& value : option.show(arguments)) {
       if (value.empty() || (onlyChanged && value == option.defaultText)) continue;
       if (!line.empty()) line += ' ';

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 
 namespace candela::cli {
 
@@ -31,6 +31,7 @@ enum class OptionGroup {
 /// The value of --denoise for Open Image Denoise.
 inline constexpr const char* kOidn = "oidn";
 
+/// `apply` and `show` throw std::bad_variant_access for the arguments of another command.
 struct Option {
   std::string names;  ///< e.g. "-t,--threads"
   unsigned commands;  ///< commands that have the option, a sum of Command values
@@ -38,7 +39,7 @@ struct Option {
   std::string help;                                           ///< no capital, no full stop
   std::string metavar;                                        ///< empty: a flag
   std::string expected;                                       ///< completes "expected ..."
-  std::string defaultText;                                    ///< value in default-constructed Arguments; empty: none
+  std::string defaultText;                                    ///< value in default-constructed arguments; empty: none
   std::function<bool(Arguments&, const std::string&)> apply;  ///< returns false if the value is invalid
   /// Returns the value in the notation of `apply` (or the words in help for an empty one). A repeatable option has
   /// several values, an unset flag none.
@@ -62,8 +63,11 @@ const std::vector<Option>& optionTable();
 /// Returns the option of a command by its long name, with its dashes; null if the command has none of this name.
 const Option* findOption(Command command, const std::string& name);
 
-/// Returns the options of `group` in the notation of a command line, e.g. "--spp 16 --seed 0 --one-sided", without
-/// those at their default if `onlyChanged`. Values are quoted for a shell if necessary.
+/// Returns the values of an option by its long name, as Option::show() does; none if the command lacks the option.
+std::vector<std::string> valuesOf(const Arguments& arguments, const std::string& name);
+
+/// Returns the options of `group` that the command has in the notation of a command line, e.g. "--spp 16 --seed 0
+/// --one-sided", without those at their default if `onlyChanged`. Values are quoted for a shell if necessary.
 std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool onlyChanged);
 
 /// The characters that have no meaning to a POSIX shell, wherever they are in a word.

@@ -68,10 +68,10 @@ void requireWritableImage(const std::filesystem::path& file) {
       fmt::format("-o {}: stdout is a terminal; redirect it to a file or to another program", file.string()));
 }
 
-std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const Log& log) {
-  const std::filesystem::path& file = arguments.film.checkpoint;
-  const bool continuesFile = areSame(file, arguments.film.resume);
-  if (!arguments.film.resume.empty() && !continuesFile) film::requireUnlocked(arguments.film.resume);
+std::optional<film::FilmLock> lockCheckpoint(const job::FilmPolicy& policy, const Log& log) {
+  const std::filesystem::path& file = policy.checkpoint;
+  const bool continuesFile = areSame(file, policy.resume);
+  if (!policy.resume.empty() && !continuesFile) film::requireUnlocked(policy.resume);
   if (file.empty()) return std::nullopt;
   requireWritableFilm(file);
   film::FilmLock lock(file);  // before the next check, since another render may be about to create the film
@@ -80,7 +80,7 @@ std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const L
   return lock;
 }
 
-void requireLayerFile(const Arguments& arguments) {
+void requireLayerFile(const RenderArguments& arguments) {
   if (arguments.request.image.layers.isEmpty()) return;
   if (!arguments.film.checkpoint.empty() || arguments.displayServer) return;
   if (std::ranges::any_of(arguments.outputs, image::isExr)) return;

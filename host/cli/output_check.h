@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 #include "host/core/log.h"
 #include "host/film/film_lock.h"
 
@@ -22,10 +22,10 @@ void requireWritableImage(const std::filesystem::path& file);
 /// Returns the lock on the film file of --checkpoint, which must be held until the film is written; nothing without
 /// --checkpoint. Throws FileError if the file cannot be written, if it exists and --resume does not continue from it
 /// (its samples are not to be lost), or if another render is writing it or the film of --resume.
-std::optional<film::FilmLock> lockCheckpoint(const Arguments& arguments, const Log& log);
+std::optional<film::FilmLock> lockCheckpoint(const job::FilmPolicy& policy, const Log& log);
 /// Throws UsageError if layers (--aov) are requested and there is no EXR or film file, and no display
 /// server, that they could be written to.
-void requireLayerFile(const Arguments& arguments);
+void requireLayerFile(const RenderArguments& arguments);
 /// Checks the file of a report; "-" and "" are accepted.
 void requireWritableReport(const std::string& target);
 

@@ -51,16 +51,19 @@ void summarise(const RenderReport& report, bool isTimeUp, const Log& log) {
                        doneText(report, isTimeUp), report.totalSeconds, report.result.statistics.device));
 }
 
-image::Image imageOf(const RenderJob& job, const render::RenderResult& result, const Log& log) {
+image::Image imageOf(const RenderJob& job, const RenderArguments& arguments, const render::RenderResult& result,
+                     const Log& log) {
   image::Image image = pictureOf(result.film, job.settings.image.hasAlpha(), metadataOf(job, result));
   setPlace(image, job.settings.image.size, job.settings.image.window());
-  if (job.arguments.denoise) denoiseResult(image, result.film, result.interrupted, job.arguments, log);
+  if (arguments.denoise) denoiseResult(image, result.film, result.interrupted, arguments, log);
   return image;
 }
 
 // Returns whether all pictures were written. The render has its report even if one was not.
-bool writePictures(const RenderJob& job, const render::RenderResult& result, const Log& log) try {
-  if (!job.arguments.outputs.empty()) writeImages(imageOf(job, result, log), job.arguments, log);
+bool writePictures(const RenderJob& job, const RenderArguments& arguments, const render::RenderResult& result,
+                   const Log& log) try {
+  if (!arguments.outputs.empty())
+    writeImages(imageOf(job, arguments, result, log), arguments, job.settings.image.integrator, log);
   return true;
 } catch (const StdoutError& error) {
   // Whoever closed the pipe needs no message.
@@ -72,37 +75,37 @@ bool writePictures(const RenderJob& job, const render::RenderResult& result, con
 }
 
 // The name of the image in a display server.
-std::string shownName(const RenderJob& job) {
-  return job.arguments.outputs.empty() ? job.scene().name : job.arguments.outputs.front().filename().string();
+std::string shownName(const RenderJob& job, const RenderArguments& arguments) {
+  return arguments.outputs.empty() ? job.scene().name : arguments.outputs.front().filename().string();
 }
 
 }  // namespace
 
-ExitCode runRender(const Arguments& arguments, const Log& log) {
+ExitCode run(const RenderArguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   requireLayerFile(arguments);
   requireDenoisable(arguments);
   requireWritableReport(arguments.json);
-  const std::optional<film::FilmLock> lock = lockCheckpoint(arguments, log);
+  const std::optional<film::FilmLock> lock = lockCheckpoint(arguments.film, log);
   // From here on, SIGUSR1 does not end the program, and after the scene has been read, SIGINT and SIGTERM end the
   // render.
   std::atomic<bool>& writeRequested = watchWriteRequests();
   const RenderJob job = loadJob(withDenoiseLayers(arguments), log);
-  requireDenoisable(job);
+  requireDenoisable(arguments, job.settings.image);
   job::JobControl control{&watchInterrupts(), arguments.film.checkpoint.empty() ? nullptr : &writeRequested,
                           progressStyle(log.verbosity())};
   control.start = start;
   std::optional<DisplayStream> display;
   if (arguments.displayServer) {
-    display.emplace(*arguments.displayServer, shownName(job), log);
+    display.emplace(*arguments.displayServer, shownName(job, arguments), log);
     control.show = [&](const image::Film& film) { display->show(pictureOf(film, job.settings.image.hasAlpha(), {})); };
   }
   const job::JobResult ended = job::runJob(job, openDevice(job.arguments, log), control, log);
   const render::RenderResult& result = ended.result;
 
   const double writeStart = monotonicSeconds();
-  const bool hasPictures = writePictures(job, result, log);
+  const bool hasPictures = writePictures(job, arguments, result, log);
   const double end = monotonicSeconds();
   RenderReport report{job, result, end - writeStart, end - start, {}, ended.work};
   report.badSamples.add(result.film, job.settings.image);
@@ -111,7 +114,7 @@ ExitCode runRender(const Arguments& arguments, const Log& log) {
     log.warning("SIGUSR1 was ignored: it writes the film of --checkpoint, and this render has none");
   }
   summarise(report, ended.isTimeUp, log);
-  if (arguments.printStatistics) textStream(arguments) << toText(report) << std::flush;
+  if (arguments.printStatistics) textStream(arguments.outputs) << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));
   if (ended.failure) {
     log.problem(ended.failure->message);

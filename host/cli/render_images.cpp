@@ -9,6 +9,7 @@
 #include "host/cli/adaptive_report.h"
 #include "host/cli/bias_text.h"
 #include "host/cli/display_choice.h"
+#include "host/cli/notation.h"
 #include "host/cli/option_table.h"
 #include "host/core/errors.h"
 #include "host/core/hash_text.h"
@@ -33,7 +34,7 @@ void addMatteMetadata(image::LayerSet layers, const image::MatteNames& names, Me
 
 Metadata metadataOf(const RenderJob& job, const render::RenderResult& result) {
   const render::RenderStatistics& statistics = result.statistics;
-  const Arguments stated = statedArguments(job);
+  const RenderArguments stated = statedArguments(job);
   std::string settings = commandLineOf(stated, OptionGroup::image, false);
   const std::string reading = commandLineOf(stated, OptionGroup::sceneFile, true);
   if (!reading.empty()) settings += " " + reading;
@@ -94,14 +95,13 @@ void setPlace(image::Image& image, const render::Extent& frame, const render::Wi
   image.frame = image::PixelBox{0, 0, frame.width, frame.height};
 }
 
-Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header) {
-  const std::string integrator = header.setting("integrator");
-  if (!integrator.empty()) findOption(Command::render, "--integrator")->apply(arguments, integrator);
-  return arguments;
+render::Integrator integratorOf(const film::FilmHeader& header) {
+  return named<render::Integrator>().parse(header.setting("integrator")).value_or(render::Integrator::path);
 }
 
-void writeImages(image::Image image, const Arguments& arguments, const Log& log) {
-  const image::DisplayTransform display = chooseDisplay(arguments, image);
+void writeImages(image::Image image, const ImageFileArguments& arguments, render::Integrator integrator,
+                 const Log& log) {
+  const image::DisplayTransform display = chooseDisplay(arguments, integrator, image);
   if (isFalseColour(display.toneMap)) {
     image.metadata["candela.falseColour"] = falseColourText(display);
     if (std::ranges::any_of(arguments.outputs, image::isEightBit)) log.note(falseColourKey(display));

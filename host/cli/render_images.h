@@ -28,11 +28,13 @@ image::Image pictureOf(const film::FilmHeader& header, const image::Film& film, 
 /// States where the pixels of an image are in the frame of its render. EXR files have both.
 void setPlace(image::Image& image, const render::Extent& frame, const render::Window& window);
 
-/// Returns `arguments` with the integrator of a film, which decides how depths and costs are shown.
-Arguments withIntegrator(Arguments arguments, const film::FilmHeader& header);
+/// Returns the integrator of a film; for one that does not name it, the default.
+render::Integrator integratorOf(const film::FilmHeader& header);
 
-/// Writes the image to all outputs of `arguments`, with its display transform. Throws FileError, after all other files
-/// have been written, with a line for each one that could not be; otherwise as image::writeImage() does.
-void writeImages(image::Image image, const Arguments& arguments, const Log& log);
+/// Writes the image of an integrator to all outputs of `arguments`, as they say that it is shown. Throws FileError,
+/// after all other files have been written, with a line for each one that could not be; otherwise as
+/// image::writeImage() does.
+void writeImages(image::Image image, const ImageFileArguments& arguments, render::Integrator integrator,
+                 const Log& log);
 
 }  // namespace candela::cli

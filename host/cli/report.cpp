@@ -9,11 +9,11 @@
 
 namespace candela::cli {
 
-ExitCode runReport(const Arguments& arguments, const Log&) {
+ExitCode run(const ReportArguments& arguments, const Log&) {
   for (const std::string& target : {arguments.markdown, arguments.svg}) requireWritableReport(target);
   std::vector<kit::KitResults> results;
   for (const std::string& file : arguments.files) results.push_back(kit::readKitResults(file));
-  if (arguments.wantsText()) std::cout << kit::toText(results) << std::flush;
+  if (wantsText(arguments, {arguments.markdown, arguments.svg})) std::cout << kit::toText(results) << std::flush;
   writeText(arguments.markdown, kit::toMarkdown(results));
   writeText(arguments.svg, kit::toSvg(results));
   return ExitCode::done;

@@ -42,7 +42,7 @@ std::string pixelHash(const image::Image& image) {
   return hashText(fnv1a({first, image.rgb.size() * sizeof(glm::vec3)}));
 }
 
-std::vector<report::Fact> factsOf(const Arguments& arguments, const image::Image& a, const image::Image& b) {
+std::vector<report::Fact> factsOf(const CompareArguments& arguments, const image::Image& a, const image::Image& b) {
   std::vector<report::Fact> facts{{"File", arguments.files[0], arguments.files[1]},
                                   {"Hash of the colours", pixelHash(a), pixelHash(b)}};
   for (const auto& [name, key] : kMetadataFacts) {
@@ -68,7 +68,7 @@ std::string renderCommand(const std::string& file, const image::Image& image) {
                      shellQuoted(file));
 }
 
-std::vector<std::string> commandsOf(const Arguments& arguments, const image::Image& a, const image::Image& b) {
+std::vector<std::string> commandsOf(const CompareArguments& arguments, const image::Image& a, const image::Image& b) {
   std::string compare = fmt::format("candela compare {} {}", shellQuoted(arguments.files[0]),
                                     shellQuoted(arguments.files[1]));
   for (const OptionGroup group : {OptionGroup::output, OptionGroup::comparison}) {
@@ -90,7 +90,7 @@ Outcome outcomeOf(const ImageVerdict& verdict) {
 
 }  // namespace
 
-Report imageReport(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+Report imageReport(const CompareArguments& arguments, const image::Image& a, const image::Image& reference,
                    const image::ImageComparison& comparison, const image::FlipResult& flip,
                    const ImageVerdict& verdict) {
   Report page;
@@ -101,7 +101,7 @@ Report imageReport(const Arguments& arguments, const image::Image& a, const imag
   page.nameB = arguments.files[1];
   page.a = a;
   page.b = reference;
-  page.display = chooseDisplay(arguments, reference);
+  page.display = chooseDisplay(arguments, render::Integrator::path, reference);
   page.comparison = comparison;
   page.flip = flip;
   if (verdict.films) page.tests = *verdict.films;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "host/cli/commands.h"
 #include "host/cli/display_choice.h"
 #include "host/cli/option_table.h"
 #include "host/core/atomic_file.h"
@@ -16,8 +17,9 @@ namespace {
 
 using report::Report;
 
-std::string commandOf(const Arguments& arguments, const char* command, std::initializer_list<OptionGroup> groups) {
-  std::string line = fmt::format("candela {} {}", command, shellQuoted(arguments.files.front()));
+std::string commandText(const Arguments& arguments, std::initializer_list<OptionGroup> groups) {
+  std::string line = fmt::format("candela {} {}", commandInfo(commandOf(arguments)).name,
+                                 shellQuoted(partOf<GeneralArguments>(arguments).files.front()));
   for (const OptionGroup group : groups) {
     const std::string options = commandLineOf(arguments, group, true);
     if (!options.empty()) line += " " + options;
@@ -26,14 +28,14 @@ std::string commandOf(const Arguments& arguments, const char* command, std::init
 }
 
 // Returns the common part of both reports on a scene: pictures, tracers, hashes.
-Report tracersReport(const RenderJob& job, const image::Film& device, const image::Film& reference,
-                     const render::RenderStatistics& statistics) {
+Report tracersReport(const RenderJob& job, const PictureArguments& picture, const image::Film& device,
+                     const image::Film& reference, const render::RenderStatistics& statistics) {
   Report page;
   page.nameA = "Device: " + statistics.device;
   page.nameB = "Reference";
   page.a = toImage(device);
   page.b = toImage(reference);
-  page.display = chooseDisplay(job.arguments, page.b);
+  page.display = chooseDisplay(picture, job.settings.image.integrator, page.b);
   page.comparison = compareImages(page.a, page.b);
   page.flip = computeFlip(displayed(page.a, page.display), displayed(page.b, page.display));
   const std::string sceneHash = hashText(job.scene().hash);
@@ -65,8 +67,10 @@ void addPaths(const verify::PixelAgreement& paths, Report& page) {
 
 }  // namespace
 
-Report agreementReport(const Arguments& arguments, const RenderJob& job, const verify::AgreementReport& agreement) {
-  Report page = tracersReport(job, agreement.deviceFilm, agreement.referenceFilm, agreement.deviceStatistics);
+Report agreementReport(const CompareArguments& arguments, const RenderJob& job,
+                       const verify::AgreementReport& agreement) {
+  Report page = tracersReport(job, arguments, agreement.deviceFilm, agreement.referenceFilm,
+                              agreement.deviceStatistics);
   page.title = job.scene().name + ": device and reference, equal random numbers";
   page.outcome = report::outcomeOf(agreement.conclusion());
   page.verdict = agreementSentence(agreement);
@@ -74,14 +78,14 @@ Report agreementReport(const Arguments& arguments, const RenderJob& job, const v
   addPaths(agreement.pixels, page);
   page.figures.push_back({"Samples per pixel, each side", fmt::to_string(agreement.samples)});
   page.figures.push_back({"Seed", fmt::to_string(job.settings.image.seed)});
-  page.commands = {
-      commandOf(arguments, "compare", {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
+  page.commands = {commandText(arguments, {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution})};
   return page;
 }
 
-Report verificationReport(const Arguments& arguments, const RenderJob& job, const verify::VerifyReport& verification) {
+Report verificationReport(const VerifyArguments& arguments, const RenderJob& job,
+                          const verify::VerifyReport& verification) {
   const verify::LightTestResult& light = verification.light;
-  Report page = tracersReport(job, light.deviceFilm, light.referenceFilm, light.deviceStatistics);
+  Report page = tracersReport(job, {}, light.deviceFilm, light.referenceFilm, light.deviceStatistics);
   page.title = job.scene().name + ": the verdict on the device";
   page.outcome = report::outcomeOf(verification.conclusion());
   page.verdict = verification.verdict();
@@ -98,9 +102,8 @@ Report verificationReport(const Arguments& arguments, const RenderJob& job, cons
          fmt::format("{:.6g}; device {:.6g} (p = {:.1e}), reference {:.6g} (p = {:.1e})", exact.expected, exact.device,
                      exact.devicePValue, exact.reference, exact.referencePValue)});
   }
-  page.commands = {
-      commandOf(arguments, "verify",
-                {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution, OptionGroup::verification})};
+  page.commands = {commandText(
+      arguments, {OptionGroup::image, OptionGroup::sceneFile, OptionGroup::execution, OptionGroup::verification})};
   return page;
 }
 

@@ -12,15 +12,15 @@
 namespace candela::cli {
 
 /// Reports on two image files and their metadata.
-report::Report imageReport(const Arguments& arguments, const image::Image& a, const image::Image& reference,
+report::Report imageReport(const CompareArguments& arguments, const image::Image& a, const image::Image& reference,
                            const image::ImageComparison& comparison, const image::FlipResult& flip,
                            const ImageVerdict& verdict);
 /// Reports on device and reference for one scene. `arguments` are those of the command line; the run was not
 /// interrupted.
-report::Report agreementReport(const Arguments& arguments, const RenderJob& job,
+report::Report agreementReport(const CompareArguments& arguments, const RenderJob& job,
                                const verify::AgreementReport& agreement);
 /// Reports on a run of `verify` that kept its films.
-report::Report verificationReport(const Arguments& arguments, const RenderJob& job,
+report::Report verificationReport(const VerifyArguments& arguments, const RenderJob& job,
                                   const verify::VerifyReport& verification);
 
 /// Writes the page atomically. Throws FileError.

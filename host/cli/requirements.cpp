@@ -10,22 +10,22 @@
 namespace candela::cli {
 namespace {
 
-void requireTwoTracers(const Arguments& arguments) {
+void requireTwoTracers(const DeviceArguments& arguments) {
   requireVulkanDevice(arguments, "the reference tracer cannot be compared with itself");
 }
 
 }  // namespace
 
-void requireVulkanDevice(const Arguments& arguments, const char* reason) {
+void requireVulkanDevice(const DeviceArguments& arguments, const char* reason) {
   if (!arguments.usesReference()) return;
   throw UsageError(fmt::format("{}; choose a Vulkan device (see candela devices)", reason));
 }
 
-void requireVerifiable(const Arguments& arguments) {
+void requireVerifiable(const VerifyArguments& arguments) {
   requireVulkanDevice(arguments, "the reference tracer cannot verify itself");
 }
 
-void requireComparable(const Arguments& arguments) {
+void requireComparable(const CompareArguments& arguments) {
   requireTwoTracers(arguments);
   if (arguments.request.image.integrator == render::Integrator::cost) {
     throw UsageError(
@@ -35,7 +35,7 @@ void requireComparable(const Arguments& arguments) {
   }
 }
 
-void requireExplainable(const Arguments& arguments) {
+void requireExplainable(const ExplainArguments& arguments) {
   requireTwoTracers(arguments);
   if (!arguments.pixel && arguments.given.contains("--sample")) {
     throw UsageError(fmt::format("{0} needs {1}; without {1}, sample 0 of the pixel that differs most is explained",
@@ -44,20 +44,19 @@ void requireExplainable(const Arguments& arguments) {
   explain::requirePaths(arguments.request.image.integrator);
 }
 
-render::PixelSample sampleAskedFor(const RenderJob& job) {
-  const auto [x, y] = *job.arguments.pixel;
-  const auto [width, height] = job.settings.image.size;
+render::PixelSample sampleAskedFor(const SampleArguments& arguments, const render::ImageSettings& image) {
+  const auto [x, y] = *arguments.pixel;
+  const auto [width, height] = image.size;
   if (x >= width || y >= height) {
     throw UsageError(fmt::format("the pixel {},{} is outside the image of {}x{} pixels (0,0 to {},{})", x, y, width,
                                  height, width - 1, height - 1));
   }
-  if (job.arguments.sample >= job.settings.image.sampleCount) {
+  if (arguments.sample >= image.sampleCount) {
     throw UsageError(fmt::format("sample {} does not exist: a pixel has {} samples (0 to {}); use {} or more",
-                                 job.arguments.sample, job.settings.image.sampleCount,
-                                 job.settings.image.sampleCount - 1,
-                                 settingWords("spp", fmt::to_string(job.arguments.sample + 1))));
+                                 arguments.sample, image.sampleCount, image.sampleCount - 1,
+                                 settingWords("spp", fmt::to_string(arguments.sample + 1))));
   }
-  return {x, y, job.arguments.sample};
+  return {x, y, arguments.sample};
 }
 
 }  // namespace candela::cli

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "host/cli/option_table.h"
 #include "host/core/errors.h"
 #include "host/core/setting_words.h"
 #include "host/film/work_report.h"
@@ -17,6 +20,7 @@ namespace fs = std::filesystem;
 struct Output {
   fs::path file;
   std::string option;
+  bool isImage = false;
 };
 
 /// Returns the absolute path without links; the part that does not exist stays as written. Empty on failure.
@@ -46,18 +50,22 @@ void addFilm(const fs::path& film, const std::string& option, std::vector<Output
   outputs.push_back({film::workFile(film), "the report of " + option});
 }
 
-/// Returns the files that the command would write, among them stdout. Folders (--captures, `capture -o`) must be new,
+/// Returns the files that the command would write, among them stdout. Folders (--capture, `capture -o`) must be new,
 /// and are left out.
 std::vector<Output> outputsOf(const Arguments& arguments) {
-  std::vector<Output> outputs{{arguments.json, "--json"},         {arguments.junit, "--junit"},
-                              {arguments.markdown, "--markdown"}, {arguments.svg, "--svg"},
-                              {arguments.report, "--report"},     {arguments.differenceFile, "--diff"},
-                              {arguments.flipFile, "--flip"},     {arguments.conformance.csv, "--csv"}};
-  const bool writesScene = arguments.command == Command::generate || arguments.command == Command::boxes;
-  if (writesScene) outputs.push_back({arguments.generatedFile, "-o"});
-  for (const fs::path& image : arguments.outputs) outputs.push_back({image, "-o"});
-  addFilm(arguments.film.checkpoint, settingWords("checkpoint"), outputs);
-  addFilm(arguments.mergedFilm, "-o", outputs);
+  std::vector<Output> outputs;
+  for (const std::string option :
+       {"--json", "--junit", "--markdown", "--svg", "--report", "--diff", "--flip", "--csv"}) {
+    const bool isImage = option == "--diff" || option == "--flip";
+    for (const std::string& file : valuesOf(arguments, option)) outputs.push_back({file, option, isImage});
+  }
+  if (const auto* scene = findPart<WrittenSceneArguments>(arguments)) outputs.push_back({scene->generatedFile, "-o"});
+  if (const auto* images = findPart<ImageFileArguments>(arguments)) {
+    for (const fs::path& image : images->outputs) outputs.push_back({image, "-o", true});
+  }
+  const auto* const render = std::get_if<RenderArguments>(&arguments);
+  if (render != nullptr) addFilm(render->film.checkpoint, settingWords("checkpoint"), outputs);
+  if (const auto* merge = std::get_if<MergeArguments>(&arguments)) addFilm(merge->output, "-o", outputs);
   return outputs;
 }
 
@@ -69,10 +77,9 @@ std::vector<Output> replacedFiles(const Arguments& arguments) {
 
 /// An image on stdout may have no other output before or after it.
 void requireOneStdout(const Arguments& arguments) {
-  if (!arguments.writesImageToStdout()) return;
   std::vector<Output> outputs = outputsOf(arguments);
   std::erase_if(outputs, [](const Output& output) { return !image::isStandardOutput(output.file); });
-  if (outputs.size() == 1) return;
+  if (outputs.size() < 2 || std::ranges::none_of(outputs, &Output::isImage)) return;
   throw UsageError(fmt::format("{} {} and {} {}: an image on stdout must be the only output there; name a file",
                                outputs[0].option, outputs[0].file.string(), outputs[1].option,
                                outputs[1].file.string()));
@@ -80,17 +87,20 @@ void requireOneStdout(const Arguments& arguments) {
 
 /// Returns the files that the command line names for reading, without a film that the render resumes and replaces.
 std::vector<fs::path> inputsOf(const Arguments& arguments) {
-  const ConformanceArguments& conformance = arguments.conformance;
-  std::vector<fs::path> inputs;
-  for (const auto& files : {conformance.baselines, conformance.skips, conformance.flakes})
-    inputs.insert(inputs.end(), files.begin(), files.end());
-  if (arguments.command != Command::generate)
-    inputs.insert(inputs.end(), arguments.files.begin(), arguments.files.end());
-  std::vector<fs::path> films;
-  if (arguments.command == Command::merge || arguments.command == Command::film)
-    films.assign(arguments.files.begin(), arguments.files.end());
-  if (!arguments.film.resume.empty() && !areSameFile(arguments.film.resume, arguments.film.checkpoint))
-    films.push_back(arguments.film.resume);
+  const std::vector<std::string>& files = partOf<GeneralArguments>(arguments).files;
+  std::vector<fs::path> inputs, films;
+  if (const auto* conformance = std::get_if<ConformanceArguments>(&arguments)) {
+    for (const auto* lists : {&conformance->baselines, &conformance->skips, &conformance->flakes})
+      inputs.insert(inputs.end(), lists->begin(), lists->end());
+  }
+  if (!std::holds_alternative<GenerateArguments>(arguments)) inputs.insert(inputs.end(), files.begin(), files.end());
+  const bool readsFilms = std::holds_alternative<MergeArguments>(arguments) ||
+                          std::holds_alternative<FilmArguments>(arguments);
+  if (readsFilms) films.assign(files.begin(), files.end());
+  if (const auto* render = std::get_if<RenderArguments>(&arguments)) {
+    const fs::path& resumed = render->film.resume;
+    if (!resumed.empty() && !areSameFile(resumed, render->film.checkpoint)) films.push_back(resumed);
+  }
   for (const fs::path& film : films) inputs.insert(inputs.end(), {film, film::workFile(film)});
   return inputs;
 }

@@ -1,6 +1,6 @@
 // Refuses outputs that would replace each other or a file that the command reads.
 #pragma once
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 
 namespace candela::cli {
 

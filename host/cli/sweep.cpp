@@ -55,10 +55,12 @@ Sweep parse(const std::string& text) {
   return {name, &optionNamed(name), split(text.substr(equals + 1))};
 }
 
-void setOption(const Sweep& sweep, const std::string& value, Arguments& arguments) {
-  if (!sweep.option->apply(arguments, value)) {
+void setOption(const Sweep& sweep, const std::string& value, BenchArguments& arguments) {
+  Arguments command = arguments;
+  if (!sweep.option->apply(command, value)) {
     throw UsageError(fmt::format("--sweep {}: expected {}, got \"{}\"", sweep.name, sweep.option->expected, value));
   }
+  arguments = std::get<BenchArguments>(std::move(command));
   arguments.given.insert(sweep.option->name());
 }
 
@@ -76,7 +78,7 @@ std::vector<SweptArguments> withEach(const std::vector<SweptArguments>& before, 
 
 }  // namespace
 
-std::vector<SweptArguments> sweepOver(const Arguments& arguments) {
+std::vector<SweptArguments> sweepOver(const BenchArguments& arguments) {
   std::vector<SweptArguments> all{{"", arguments}};
   std::vector<const Option*> swept;
   for (const std::string& text : arguments.sweeps) {

@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "host/cli/arguments.h"
+#include "host/cli/command_arguments.h"
 
 namespace candela::cli {
 
 /// One combination of the values of the swept options.
 struct SweptArguments {
   std::string name;  ///< e.g. "workgroup=8x8 layout=cwbvh"; "as given" without a sweep
-  Arguments arguments;
+  BenchArguments arguments;
 };
 
 /// Returns all combinations of the values of `arguments.sweeps`, the last sweep varying fastest. NAME is an option of
 /// images or of their execution, without its dashes. Throws UsageError for any other name, for a repeated name, for an
 /// invalid value, and for more than kMaxVariants combinations.
-std::vector<SweptArguments> sweepOver(const Arguments& arguments);
+std::vector<SweptArguments> sweepOver(const BenchArguments& arguments);
 
 inline constexpr std::size_t kMaxVariants = 256;
 

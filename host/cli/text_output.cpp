@@ -1,14 +1,20 @@
 // Writes text to a file, to stdout or to stderr.
 #include "host/cli/text_output.h"
 
+#include <algorithm>
 #include <iostream>
-#include <span>
 
 #include "host/core/atomic_file.h"
 
 namespace candela::cli {
 
-std::ostream& textStream(const Arguments& arguments) { return arguments.writesImageToStdout() ? std::cerr : std::cout; }
+bool wantsText(const GeneralArguments& arguments, std::initializer_list<std::string_view> reports) {
+  return !arguments.quiet && std::ranges::find(reports, "-") == reports.end();
+}
+
+std::ostream& textStream(std::span<const std::filesystem::path> images) {
+  return std::ranges::any_of(images, image::isStandardOutput) ? std::cerr : std::cout;
+}
 
 void writeText(const std::string& target, const std::string& text) {
   if (target.empty()) return;

@@ -8,6 +8,7 @@
 #include "host/cli/bench_output.h"
 #include "host/cli/cached_device.h"
 #include "host/cli/commands.h"
+#include "host/cli/idle_options.h"
 #include "host/cli/output_check.h"
 #include "host/cli/render_job.h"
 #include "host/core/counted.h"
@@ -41,15 +42,19 @@ std::filesystem::path requireFile(const cache::DeviceKey& key) {
   return file;
 }
 
-Work workOf(const Arguments& arguments, scene::Scene scene, const Log& log) {
-  render::RenderSettings settings = resolveRequests(arguments, scene, log);
+Work workOf(const TuneArguments& arguments, scene::Scene scene, const Log& log) {
+  render::RenderRequest request;
+  request.sampleCount = arguments.sampleCount;
+  request.size = arguments.size;
+  render::RenderSettings settings = resolveRequest(request, scene, {}, false, log);
+  noteIdleOptions({arguments, settings}, log);
   return {std::move(scene), std::move(settings)};
 }
 
-std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
+std::vector<Work> worksOf(const TuneArguments& arguments, const Log& log) {
   std::vector<Work> works;
   for (const std::string& file : arguments.files) {
-    Arguments one = arguments;
+    TuneArguments one = arguments;
     one.files = {file};
     works.push_back(workOf(one, readScene(one, log).scene, log));
   }
@@ -58,13 +63,13 @@ std::vector<Work> worksOf(const Arguments& arguments, const Log& log) {
   return works;
 }
 
-tune::SearchResult measure(const Arguments& arguments, vulkan::Device& device, std::vector<Work>& works,
+tune::SearchResult measure(const TuneArguments& arguments, vulkan::Device& device, std::vector<Work>& works,
                            const Log& log) {
   const std::unique_ptr<render::Renderer> renderer = device::makeGpuRenderer(device);
   render::RenderControl control;
   control.stop = &watchInterrupts();
   for (Work& work : works) {
-    fitToDevice(*renderer, {arguments.request.size, arguments.request.sampleCount}, control, work);
+    fitToDevice(*renderer, {arguments.size, arguments.sampleCount}, control, work);
     log.note(fmt::format("{}: {} pixels, {} per pixel", work.scene.name, extentText(work.settings.image.size),
                          counted(work.settings.image.sampleCount, "sample")));
   }
@@ -92,7 +97,7 @@ bool store(const cache::DeviceKey& key, TuneReport& report, const Log& log) {
 
 }  // namespace
 
-ExitCode runTune(const Arguments& arguments, const Log& log) {
+ExitCode run(const TuneArguments& arguments, const Log& log) {
   if (arguments.usesReference()) {
     throw UsageError(
         "tune --device cpu: the reference tracer has nothing to tune; choose a Vulkan device (see candela devices)");

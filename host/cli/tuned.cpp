@@ -20,7 +20,8 @@ std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& 
   return KeptTuning{*found.tuning, file};
 }
 
-render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log) {
+render::AutomaticChoices automaticChoices(const TracingArguments& arguments, const vulkan::DeviceInfo& info,
+                                          const Log& log) {
   if (arguments.untuned) return {};
   const std::optional<KeptTuning> kept = keptTuning(info, log);
   if (!kept) return {};

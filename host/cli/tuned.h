@@ -25,7 +25,8 @@ struct KeptTuning {
 std::optional<KeptTuning> keptTuning(const vulkan::DeviceInfo& info, const Log& log);
 
 /// Returns the stored result, or the built-in choice if there is none or `--untuned` is given.
-render::AutomaticChoices automaticChoices(const Arguments& arguments, const vulkan::DeviceInfo& info, const Log& log);
+render::AutomaticChoices automaticChoices(const TracingArguments& arguments, const vulkan::DeviceInfo& info,
+                                          const Log& log);
 
 /// Renders on a device with these choices, and logs the warnings of sessions, each once.
 class TunedRenderer final : public render::Renderer {

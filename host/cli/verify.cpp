@@ -34,7 +34,7 @@ void explainWorst(const verify::VerifyReport& report, const RenderJob& job, rend
 
 }  // namespace
 
-ExitCode runVerify(const Arguments& arguments, const Log& log) {
+ExitCode run(const VerifyArguments& arguments, const Log& log) {
   requireVerifiable(arguments);
   if (arguments.explain) explain::requirePaths(arguments.request.image.integrator);
   requireWritableReport(arguments.json);
@@ -49,7 +49,7 @@ ExitCode runVerify(const Arguments& arguments, const Log& log) {
   options.keepFilms = !arguments.report.empty();
   const verify::VerifyReport report = verify::verifyScene(job.scene(), job.settings, *device, *reference, options,
                                                           control);
-  const bool asText = arguments.wantsText() && arguments.junit != "-";
+  const bool asText = wantsText(arguments, {arguments.json, arguments.junit});
   if (asText) std::cout << toText(report) << std::flush;
   reportBadSamples(report.badSamples, job, log);
   nlohmann::ordered_json json = toJson(report);

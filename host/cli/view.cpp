@@ -46,13 +46,14 @@ nlohmann::ordered_json toJson(const window::ViewerReport& report) {
 
 }  // namespace
 
-ExitCode runView(const Arguments& arguments, const Log& log) {
+ExitCode run(const ViewArguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   requireWritableReport(arguments.json);
   ViewedScene scene(arguments, log);
-  const view::Choice choice{arguments.device, arguments.request.image.integrator, arguments.viewLayer};
+  const view::Choice choice{arguments.device, arguments.request.image.integrator, arguments.layer};
   const RenderJob first = scene.job(choice, true);
-  image::DisplayTransform display = arguments.display;
+  image::DisplayTransform display;
+  display.toneMap = arguments.toneMap.value_or(display.toneMap);
   display.exposure = arguments.exposure.value_or(0);
   const window::ViewerReport report = window::runViewer(
       {.hooks = hooksOf(scene),
@@ -60,7 +61,7 @@ ExitCode runView(const Arguments& arguments, const Log& log) {
        .devices = deviceNames(),
        .scene = arguments.files.front(),
        .size = first.settings.image.size,
-       .mode = arguments.viewMode,
+       .mode = arguments.mode,
        .display = display,
        .openDevice =
            [&](const auto& extensions) {

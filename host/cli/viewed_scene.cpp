@@ -15,7 +15,7 @@ constexpr std::uint32_t kDefaultSamples = 4096;
 constexpr double kDispatchSeconds = 0.015;  // so that input is answered soon
 constexpr render::Extent kWarmUpSize{8, 8};
 
-Arguments withChoice(Arguments arguments, const view::Choice& choice) {
+ViewArguments withChoice(ViewArguments arguments, const view::Choice& choice) {
   arguments.device = choice.device;
   image::LayerSet& layers = arguments.request.image.layers;
   layers.bits |= view::neededBy(choice.layer).bits;
@@ -48,7 +48,7 @@ void writeLayer(const std::filesystem::path& file, const image::Film& film, imag
 }  // namespace
 
 RenderJob ViewedScene::job(const view::Choice& choice, bool reads) {
-  const Arguments arguments = withChoice(arguments_, choice);
+  const ViewArguments arguments = withChoice(arguments_, choice);
   const std::scoped_lock lock(mutex_);
   if (reads || !scene_) read(arguments);
   return jobOf(arguments, scene_, log_);
@@ -64,7 +64,7 @@ view::Sessions ViewedScene::load(const view::Choice& choice, bool reads) {
 
 vulkan::Device ViewedScene::open(const view::Choice& choice, const std::vector<std::string>& windowExtensions) {
   std::unique_ptr<CachedDevice>& device = devices_[choice.device];
-  Arguments arguments = withChoice(arguments_, choice);
+  const ViewArguments arguments = withChoice(arguments_, choice);
   if (!device) device = std::make_unique<CachedDevice>(arguments, log_, windowExtensions);
   return device->device();
 }
@@ -96,7 +96,7 @@ void ViewedScene::save(const std::filesystem::path& file, const view::Sessions& 
   writeImage(file, image, display);
 }
 
-void ViewedScene::read(const Arguments& arguments) {
+void ViewedScene::read(const ViewArguments& arguments) {
   scene::LoadedScene loaded = readScene(arguments, log_);
   scene_ = std::make_shared<const scene::Scene>(std::move(loaded.scene));
   files_.insert(loaded.files.begin(), loaded.files.end());
@@ -105,7 +105,9 @@ void ViewedScene::read(const Arguments& arguments) {
 // The file is named in the window, so that no check of the command line has seen it.
 void ViewedScene::requireSavable(const std::filesystem::path& file) {
   image::checkImageFormat(file);
-  Arguments saving = arguments_;
+  RenderArguments saving;  // as a render would write it
+  saving.files = arguments_.files;
+  saving.json = arguments_.json;
   saving.outputs = {file};
   const std::scoped_lock lock(mutex_);
   requireSeparateFiles(saving);

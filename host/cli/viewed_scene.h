@@ -17,7 +17,7 @@ namespace candela::cli {
 /// Provides the engine with scenes and sessions, and writes its image files.
 class ViewedScene {
  public:
-  ViewedScene(const Arguments& arguments, const Log& log) : arguments_(arguments), log_(log) {}
+  ViewedScene(const ViewArguments& arguments, const Log& log) : arguments_(arguments), log_(log) {}
 
   /// The job of the next sessions, read from the file again if `reads`.
   RenderJob job(const view::Choice& choice, bool reads);
@@ -35,12 +35,12 @@ class ViewedScene {
             const image::DisplayTransform& display);
 
  private:
-  void read(const Arguments& arguments);
+  void read(const ViewArguments& arguments);
 
   /// Throws UsageError for a file that cannot be written, or that would replace one that is in use.
   void requireSavable(const std::filesystem::path& file);
 
-  const Arguments& arguments_;
+  const ViewArguments& arguments_;
   const Log& log_;
   std::mutex mutex_;
   std::shared_ptr<const scene::Scene> scene_;

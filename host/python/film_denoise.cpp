@@ -10,14 +10,14 @@ namespace candela::python {
 
 namespace py = pybind11;
 
-image::Image resultImage(const PythonFilm& film, const cli::Arguments& arguments, const Log& log) {
+image::Image resultImage(const PythonFilm& film, const cli::RenderArguments& arguments, const Log& log) {
   image::Image image = film.picture();
   if (arguments.denoise) denoiseResult(image, film.film, film.isInterrupted, arguments, log);
   return image;
 }
 
 py::array denoised(const PythonFilm& film, const py::kwargs& options) {
-  cli::Arguments arguments = argumentsOf(kDenoiseOptions, options);
+  auto arguments = argumentsOf<cli::DenoiseArguments>(kDenoiseOptions, options);
   if (!arguments.given.contains("--device")) arguments.device = film.arguments.device;
   PythonLog log;
   image::Image image;

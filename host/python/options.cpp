@@ -173,9 +173,8 @@ bool FunctionOptions::has(const cli::Option& option) const {
   return groups.contains(option.group) || besides.contains(option.name());
 }
 
-cli::Arguments argumentsOf(const FunctionOptions& function, const py::kwargs& options) {
-  cli::Arguments arguments;
-  arguments.command = function.command;
+cli::Arguments anyArgumentsOf(const FunctionOptions& function, const py::kwargs& options) {
+  cli::Arguments arguments = cli::defaultArguments(function.command);
   for (const auto& [name, value] : options) {
     const std::string keyword = py::str(name);
     const cli::Option* const option = find(function, nameOf(keyword));

@@ -23,10 +23,16 @@ struct FunctionOptions {
 extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessionOptions, kVerifyOptions,
     kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kSaveOptions, kDenoiseOptions, kMergeOptions;
 
-/// Returns the arguments of a command that has these options: max_depth=8 is --max-depth 8, and aovs is --aov. A pair
+/// Returns the arguments of the function's command: max_depth=8 is --max-depth 8, and aovs is --aov. A pair
 /// or a range is "WxH", "X,Y" or "A:B", True and False are "on" and "off" (or a flag), and None omits an option. Throws
 /// UsageError, which names the keyword.
-cli::Arguments argumentsOf(const FunctionOptions& function, const pybind11::kwargs& options);
+cli::Arguments anyArgumentsOf(const FunctionOptions& function, const pybind11::kwargs& options);
+/// Returns the same as the struct of this command, or a part of it.
+template <class Part>
+Part argumentsOf(const FunctionOptions& function, const pybind11::kwargs& options) {
+  cli::Arguments arguments = anyArgumentsOf(function, options);
+  return cli::partOf<Part>(arguments);
+}
 
 /// Names a setting by its keyword, as messages of libraries do in Python: see setSettingWords().
 std::string keywordWords(std::string_view name, std::string_view value);

@@ -36,17 +36,15 @@ void writeFilmFile(const PythonFilm& film, const std::filesystem::path& file) {
 }
 
 // The display options of the call replace those of the film.
-cli::Arguments savingArguments(const PythonFilm& film, const Files& outputs, const std::filesystem::path& filmFile,
-                               const py::kwargs& options) {
-  const cli::Arguments given = argumentsOf(kSaveOptions, options);
-  cli::Arguments arguments = film.arguments;
+cli::RenderArguments savingArguments(const PythonFilm& film, const Files& outputs,
+                                     const std::filesystem::path& filmFile, const py::kwargs& options) {
+  const auto given = argumentsOf<cli::RenderArguments>(kSaveOptions, options);
+  cli::RenderArguments arguments = film.arguments;
+  static_cast<cli::PictureArguments&>(arguments) = given;
   arguments.outputs = outputs;
   arguments.film.checkpoint = filmFile;
-  arguments.display = given.display;
-  arguments.exposure = given.exposure;
-  if (given.given.contains("--tonemap")) arguments.given.insert("--tonemap");
   if (options.contains("denoise") && !options["denoise"].is_none())
-    std::tie(arguments.denoise, arguments.denoisesByOidn) = std::tie(given.denoise, given.denoisesByOidn);
+    static_cast<cli::DenoisingArguments&>(arguments) = given;
   if (given.given.contains("--device")) arguments.device = given.device;
   arguments.noCache = arguments.noCache || given.noCache;
   return arguments;
@@ -73,11 +71,12 @@ void save(const PythonFilm& film, const py::args& files, const py::kwargs& optio
     cli::requireWritableImage(file);
   }
   if (!filmFile.empty()) cli::requireWritableFilm(filmFile);
-  const cli::Arguments arguments = savingArguments(film, outputs, filmFile, options);
+  const cli::RenderArguments arguments = savingArguments(film, outputs, filmFile, options);
   requireSeparate(arguments, film.files);
   PythonLog log;
   runWatched([&](const Watch&) {
-    if (!outputs.empty()) writeImages(resultImage(film, arguments, log), arguments, log);
+    if (!outputs.empty())
+      writeImages(resultImage(film, arguments, log), arguments, cli::integratorOf(film.header), log);
     if (!filmFile.empty()) writeFilmFile(film, filmFile);
   });
   log.passOn();
@@ -88,7 +87,7 @@ py::bytes png(const PythonFilm& film) {
   PythonLog log;
   runWatched([&](const Watch&) {
     const image::Image image = resultImage(film, film.arguments, log);
-    const image::DisplayTransform display = chooseDisplay(film.arguments, image);
+    const image::DisplayTransform display = chooseDisplay(film.arguments, cli::integratorOf(film.header), image);
     bytes = image::toPng(image.alpha.empty() ? toPixels8(image, display) : toStraightPixels8(image, display));
   });
   log.passOn();
@@ -98,7 +97,6 @@ py::bytes png(const PythonFilm& film) {
 Film filmOfFiles(const Files& files, film::FilmHeader header, image::Film sums, film::WorkReport work) {
   auto film = std::make_shared<PythonFilm>();
   film->metadata = cli::metadataOf(header, sums);
-  film->arguments = cli::withIntegrator({}, header);
   film->isInterrupted = !header.begun.empty();
   film->header = std::move(header);
   film->film = std::move(sums);
@@ -120,7 +118,7 @@ Film open(const py::object& name) {
 Film merge(const py::iterable& names, const py::kwargs& options) {
   if (isFileName(names)) throw py::type_error("files: expected several names of files, in a list");
   const Files files = filesOf(names);
-  const cli::Arguments arguments = argumentsOf(kMergeOptions, options);
+  const auto arguments = argumentsOf<cli::MergeArguments>(kMergeOptions, options);
   Film film;
   runWatched([&](const Watch&) {
     film::MergedFilm merged = film::mergeFilms(files, {arguments.mixedDevices, arguments.partial});

@@ -18,7 +18,7 @@ struct PythonFilm {
   film::FilmHeader header;
   cli::Metadata metadata;                      ///< of image files
   film::WorkReport work;                       ///< of the file beside a film file
-  cli::Arguments arguments;                    ///< of the render; for a film file, only the integrator is set
+  cli::RenderArguments arguments;              ///< of the render; of a film file, the defaults
   std::vector<std::filesystem::path> files{};  ///< that the scene has read, or the film files themselves
   std::string report;                          ///< JSON, as `candela render` writes it; empty for a film file
   bool isInterrupted = false;

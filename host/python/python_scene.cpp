@@ -24,7 +24,7 @@ namespace py = pybind11;
 
 using Loaded = std::shared_ptr<PythonScene>;
 
-Loaded finish(scene::LoadedScene loaded, cli::Arguments arguments, const Log& log) {
+Loaded finish(scene::LoadedScene loaded, cli::SceneArguments arguments, const Log& log) {
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireCamera(loaded.scene);
   return std::make_shared<PythonScene>(std::move(loaded), std::move(arguments));
@@ -41,7 +41,7 @@ Loaded readWatched(const Read& read) {
 }
 
 Loaded load(const py::object& file, const py::kwargs& options) {
-  cli::Arguments arguments = argumentsOf(kLoadOptions, options);
+  auto arguments = argumentsOf<cli::SceneArguments>(kLoadOptions, options);
   arguments.files = {fileOf("file", file)};
   return readWatched([&](const Log& log) {
     scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
@@ -87,7 +87,7 @@ void setCamera(const std::optional<scene::Camera>& camera, scene::Scene& scene) 
 Loaded fromArrays(const py::args& positional, const py::kwargs& keywords) {
   const RunningCall call;
   const py::dict built = py::module_::import("candela._arrays").attr("build")(*positional, **keywords);
-  cli::Arguments arguments = argumentsOf(kSceneOptions, py::kwargs(built["options"]));
+  auto arguments = argumentsOf<cli::SceneArguments>(kSceneOptions, py::kwargs(built["options"]));
   arguments.files = {built["name"].cast<std::string>()};
   const auto bytes = built["glb"].cast<std::string>();
   const std::optional<scene::Camera> camera = built["camera"].is_none() ? std::nullopt
@@ -106,7 +106,7 @@ py::str sceneText(const PythonScene& scene) {
 
 }  // namespace
 
-PythonScene::PythonScene(scene::LoadedScene loaded, cli::Arguments arguments)
+PythonScene::PythonScene(scene::LoadedScene loaded, cli::SceneArguments arguments)
     : loading(std::move(arguments)), loaded_(std::make_shared<const scene::LoadedScene>(std::move(loaded))) {
   scene = std::shared_ptr<const scene::Scene>(loaded_, &loaded_->scene);
 }
@@ -119,15 +119,14 @@ py::object PythonScene::report() const {
   return fromJson(report_);
 }
 
-cli::Arguments PythonScene::complete(cli::Arguments arguments) const {
-  arguments.files = loading.files;
-  arguments.loadOptions = loading.loadOptions;
-  arguments.given.insert(loading.given.begin(), loading.given.end());
-  return arguments;
-}
-
-cli::RenderJob PythonScene::jobOf(const cli::Arguments& arguments, const Log& log) const {
-  return cli::jobOf(complete(arguments), scene, log);
+cli::RenderJob PythonScene::jobOf(cli::TracingCommand command, const Log& log) const {
+  const auto complete = [&](cli::SceneArguments& arguments) {
+    arguments.files = loading.files;
+    arguments.loadOptions = loading.loadOptions;
+    arguments.given.insert(loading.given.begin(), loading.given.end());
+  };
+  std::visit(complete, command);
+  return cli::jobOf(command, scene, log);
 }
 
 void defineScene(py::module_& module) {

@@ -15,19 +15,18 @@ namespace candela::python {
 /// A scene with the options with which it was read, which films record. Renders share it.
 class PythonScene {
  public:
-  PythonScene(scene::LoadedScene loaded, cli::Arguments arguments);
+  PythonScene(scene::LoadedScene loaded, cli::SceneArguments arguments);
 
   std::shared_ptr<const scene::Scene> scene;
-  cli::Arguments loading;  ///< files, loadOptions and the names of these options
+  cli::SceneArguments loading;  ///< files, loadOptions and the names of these options
 
   /// Files that were read: the scene's own, and those that it names.
   const std::vector<std::filesystem::path>& files() const { return loaded_->files; }
   /// Returns JSON, as `candela check` writes it. The first call computes it, without the GIL, since that takes a second
   /// for millions of triangles.
   pybind11::object report() const;
-  /// Returns `arguments` with the file and the options of the scene.
-  cli::Arguments complete(cli::Arguments arguments) const;
-  cli::RenderJob jobOf(const cli::Arguments& arguments, const Log& log) const;
+  /// Returns the job of a command with the file and the options of the scene.
+  cli::RenderJob jobOf(cli::TracingCommand command, const Log& log) const;
 
  private:
   std::shared_ptr<const scene::LoadedScene> loaded_;

@@ -18,7 +18,7 @@ namespace {
 namespace py = pybind11;
 using Film = std::shared_ptr<PythonFilm>;
 
-Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
+Film trace(const PythonScene& scene, const cli::RenderArguments& arguments, const Watch& watch, const Log& log) {
   const double start = monotonicSeconds();
   const cli::RenderJob job = renderJobOf(scene, arguments, log);
   const job::OpenDevice open = openDevice(job.arguments, log);
@@ -27,15 +27,15 @@ Film trace(const PythonScene& scene, const cli::Arguments& arguments, const Watc
   if (ended.isFilmLost) throw FileError(arguments.film.checkpoint.string() + ": the film could not be written");
   if (!ended.result.interrupted) watch.report(1, ended.result.statistics.samples);
   const film::WorkReport work = ended.work.value_or(film::workOf(ended.result.statistics));
-  return filmOf(job, scene.files(), std::move(ended.result), std::move(ended.header), work, monotonicSeconds() - start,
-                log);
+  return filmOf(job, arguments, scene.files(), std::move(ended.result), std::move(ended.header), work,
+                monotonicSeconds() - start, log);
 }
 
 Film render(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
-  const cli::Arguments arguments = argumentsOf(kRenderOptions, options);
+  const auto arguments = argumentsOf<cli::RenderArguments>(kRenderOptions, options);
   requireSeparate(arguments, scene.files());
   PythonLog log;
-  const std::optional<film::FilmLock> lock = lockCheckpoint(arguments, log);
+  const std::optional<film::FilmLock> lock = cli::lockCheckpoint(arguments.film, log);
   Film film;
   runWatched([&](const Watch& watch) { film = trace(scene, arguments, watch, log); }, progress);
   log.passOn();
@@ -44,29 +44,30 @@ Film render(const PythonScene& scene, const py::object& progress, const py::kwar
 
 }  // namespace
 
-cli::RenderJob renderJobOf(const PythonScene& scene, const cli::Arguments& arguments, const Log& log) {
+cli::RenderJob renderJobOf(const PythonScene& scene, const cli::RenderArguments& arguments, const Log& log) {
   cli::requireDenoisable(arguments);
   cli::RenderJob job = scene.jobOf(withDenoiseLayers(arguments), log);
-  cli::requireDenoisable(job);
+  cli::requireDenoisable(arguments, job.settings.image);
   return job;
 }
 
 // The names of scenes of arrays are no files.
-void requireSeparate(cli::Arguments arguments, const std::vector<std::filesystem::path>& files) {
+void requireSeparate(cli::RenderArguments arguments, const std::vector<std::filesystem::path>& files) {
   arguments.files.clear();
   cli::requireSeparateFiles(arguments);
   cli::requireUnread(arguments, files);
 }
 
-Film filmOf(const cli::RenderJob& job, std::vector<std::filesystem::path> files, render::RenderResult result,
-            film::FilmHeader header, const film::WorkReport& work, double seconds, const Log& log) {
+Film filmOf(const cli::RenderJob& job, const cli::RenderArguments& arguments, std::vector<std::filesystem::path> files,
+            render::RenderResult result, film::FilmHeader header, const film::WorkReport& work, double seconds,
+            const Log& log) {
   auto film = std::make_shared<PythonFilm>();
   cli::RenderReport report{job, result, 0, seconds, {}, work};
   report.badSamples.add(result.film, job.settings.image);
   reportFlaws(report, log);
   film->report = jsonText(toJson(report));
   film->metadata = metadataOf(job, result);
-  film->arguments = job.arguments;
+  film->arguments = arguments;
   film->files = std::move(files);
   film->isInterrupted = result.interrupted;
   film->header = std::move(header);

@@ -9,10 +9,11 @@
 
 namespace candela::python {
 
-PythonSession::PythonSession(const cli::RenderJob& job, std::vector<std::filesystem::path> files,
+PythonSession::PythonSession(const PythonScene& scene, const cli::RenderArguments& arguments,
                              std::shared_ptr<PythonLog> log)
-    : job_(job),
-      files_(std::move(files)),
+    : arguments_(arguments),
+      job_(renderJobOf(scene, arguments, *log)),
+      files_(scene.files()),
       log_(std::move(log)),
       renderer_(makeRenderer(job_.arguments, *log_)),
       session_(renderer_->prepare(job_.scene(), job_.settings)) {}
@@ -54,7 +55,7 @@ std::shared_ptr<PythonFilm> PythonSession::film() {
   film::FilmHeader header = job::filmHeaderOf(job, result.statistics);
   job::setContent(header, result.film, job.scene(), first_.value_or(0));
   const film::WorkReport work = film::workOf(result.statistics);
-  return filmOf(job, files_, std::move(result), std::move(header), work, seconds_, *log_);
+  return filmOf(job, arguments_, files_, std::move(result), std::move(header), work, seconds_, *log_);
 }
 
 void PythonSession::reset(std::uint32_t seed) {

@@ -6,6 +6,7 @@
 #include "host/cli/render_job.h"
 #include "host/python/python_film.h"
 #include "host/python/python_log.h"
+#include "host/python/python_scene.h"
 #include "host/python/watched.h"
 
 namespace candela::python {
@@ -13,8 +14,7 @@ namespace candela::python {
 /// One prepared session of a renderer. One thread at a time may use it.
 class PythonSession {
  public:
-  /// Prepares the session. `files` are those that the scene has read.
-  PythonSession(const cli::RenderJob& job, std::vector<std::filesystem::path> files, std::shared_ptr<PythonLog> log);
+  PythonSession(const PythonScene& scene, const cli::RenderArguments& arguments, std::shared_ptr<PythonLog> log);
 
   /// Adds the samples of `range` that are missing; by default all. Returns false if `watch` stopped it. Throws
   /// UsageError for a range that does not continue the film.
@@ -31,6 +31,7 @@ class PythonSession {
  private:
   cli::RenderJob jobSoFar() const;
 
+  cli::RenderArguments arguments_;
   cli::RenderJob job_;
   std::vector<std::filesystem::path> files_;
   std::shared_ptr<PythonLog> log_;  ///< the renderer writes to it

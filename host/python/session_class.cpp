@@ -61,12 +61,10 @@ struct SharedSession {
 using Shared = std::shared_ptr<SharedSession>;
 
 Shared prepare(const PythonScene& scene, const py::kwargs& options) {
-  const cli::Arguments arguments = argumentsOf(kSessionOptions, options);
+  const auto arguments = argumentsOf<cli::RenderArguments>(kSessionOptions, options);
   auto shared = std::make_shared<SharedSession>();
   auto log = std::make_shared<PythonLog>();
-  runWatched([&](const Watch&) {
-    shared->session = std::make_unique<PythonSession>(renderJobOf(scene, arguments, *log), scene.files(), log);
-  });
+  runWatched([&](const Watch&) { shared->session = std::make_unique<PythonSession>(scene, arguments, log); });
   log->passOn();
   return shared;
 }

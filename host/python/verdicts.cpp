@@ -29,8 +29,8 @@ namespace py = pybind11;
 
 /// A job with both of its tracers.
 struct Tracers {
-  Tracers(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log)
-      : job(scene.jobOf(arguments, log)),
+  Tracers(const PythonScene& scene, const cli::TracingCommand& command, const Watch& watch, const Log& log)
+      : job(scene.jobOf(command, log)),
         device(makeRenderer(job.arguments, log)),
         reference(reference::makeReferenceRenderer()),
         control{&watch.stop, watch.report} {}
@@ -64,7 +64,8 @@ std::optional<verify::Conclusion> conclusionOf(const auto& report) {
   return report.interrupted ? std::nullopt : std::optional(report.conclusion());
 }
 
-Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch, const Log& log) {
+Verdict verifyScene(const PythonScene& scene, const cli::VerifyArguments& arguments, const Watch& watch,
+                    const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
   const verify::VerifyReport report = verify::verifyScene(tracers.job.scene(), tracers.job.settings, *tracers.device,
                                                           *tracers.reference, arguments.verification, tracers.control);
@@ -75,7 +76,7 @@ Verdict verifyScene(const PythonScene& scene, const cli::Arguments& arguments, c
 }
 
 Verdict verify(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
-  const cli::Arguments arguments = argumentsOf(kVerifyOptions, options);
+  const auto arguments = argumentsOf<cli::VerifyArguments>(kVerifyOptions, options);
   requireVerifiable(arguments);
   return watched<Verdict>([&](const Watch& watch, const Log& log) { return verifyScene(scene, arguments, watch, log); },
                           progress);
@@ -90,8 +91,8 @@ Explanation explanationOf(const explain::Explanation& explanation) {
 Explanation explainWorst(Tracers& tracers) {
   verify::PathRenders renders;  // compare() reports bad samples
   const auto pixels = verify::comparePaths(tracers.job.scene(), tracers.job.settings, *tracers.device,
-                                           *tracers.reference, tracers.job.arguments.verification.alpha,
-                                           tracers.control, renders);
+                                           *tracers.reference, verify::LightTestOptions().alpha, tracers.control,
+                                           renders);
   if (!pixels) throw InterruptedError("interrupted before a sample was explained");
   render::requireComplete(renders.deviceStatistics);
   const auto worst = explain::explainWorst(tracers.job.scene(), tracers.job.settings, *pixels, *tracers.device,
@@ -101,22 +102,23 @@ Explanation explainWorst(Tracers& tracers) {
   return {true, text, text + "\n", jsonText(explain::nothingJson(tracers.job.scene(), *pixels))};
 }
 
-Explanation explainScene(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch,
+Explanation explainScene(const PythonScene& scene, const cli::ExplainArguments& arguments, const Watch& watch,
                          const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
-  if (!tracers.job.arguments.pixel) return explainWorst(tracers);
-  return explanationOf(explain::explainSample(tracers.job.scene(), tracers.job.settings, sampleAskedFor(tracers.job),
-                                              *tracers.device, *tracers.reference));
+  if (!arguments.pixel) return explainWorst(tracers);
+  return explanationOf(explain::explainSample(tracers.job.scene(), tracers.job.settings,
+                                              sampleAskedFor(arguments, tracers.job.settings.image), *tracers.device,
+                                              *tracers.reference));
 }
 
 Explanation explain(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
-  const cli::Arguments arguments = argumentsOf(kExplainOptions, options);
+  const auto arguments = argumentsOf<cli::ExplainArguments>(kExplainOptions, options);
   requireExplainable(arguments);
   return watched<Explanation>(
       [&](const Watch& watch, const Log& log) { return explainScene(scene, arguments, watch, log); }, progress);
 }
 
-Comparison compareTracers(const PythonScene& scene, const cli::Arguments& arguments, const Watch& watch,
+Comparison compareTracers(const PythonScene& scene, const cli::CompareArguments& arguments, const Watch& watch,
                           const Log& log) {
   Tracers tracers(scene, arguments, watch, log);
   const verify::AgreementReport report = verify::compareTracers(tracers.job.scene(), tracers.job.settings,
@@ -130,7 +132,7 @@ Comparison compareTracers(const PythonScene& scene, const cli::Arguments& argume
 }
 
 Comparison compareScene(const PythonScene& scene, const py::object& progress, const py::kwargs& options) {
-  const cli::Arguments arguments = argumentsOf(kCompareTracersOptions, options);
+  const auto arguments = argumentsOf<cli::CompareArguments>(kCompareTracersOptions, options);
   requireComparable(arguments);
   return watched<Comparison>(
       [&](const Watch& watch, const Log& log) { return compareTracers(scene, arguments, watch, log); }, progress);
@@ -155,7 +157,7 @@ image::Image imageFrom(const py::handle& value) {
 }
 
 Comparison compareImages(const py::object& a, const py::object& b, const py::kwargs& options) {
-  const cli::Arguments arguments = argumentsOf(kCompareImagesOptions, options);
+  const auto arguments = argumentsOf<cli::CompareArguments>(kCompareImagesOptions, options);
   image::Image first = imageFrom(a), reference = imageFrom(b);
   cli::ImagePair pair;
   runWatched([&](const Watch&) { pair = comparePair(arguments, first, reference); });

@@ -94,7 +94,7 @@ TEST_CASE("bad samples are reported with their number, their pixels and a replay
 TEST_CASE("the option --strict turns success and doubt with bad samples into exit code 3 and changes no other code") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::quiet);
-  Arguments arguments;
+  StrictArguments arguments;
   CHECK(strictly(ExitCode::done, 4, arguments, log) == ExitCode::done);
   arguments.strict = true;
   CHECK(strictly(ExitCode::done, 0, arguments, log) == ExitCode::done);

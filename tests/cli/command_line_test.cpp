@@ -8,11 +8,16 @@
 namespace candela::cli {
 namespace {
 
-Arguments parse(const std::vector<std::string>& words) { return parseCommandLine(words); }
+// Returns the arguments of a command, or a part of them.
+template <class Part = RenderArguments>
+Part parse(const std::vector<std::string>& words) {
+  const Arguments arguments = parseCommandLine(words);
+  return partOf<Part>(arguments);
+}
 
 std::string messageFor(const std::vector<std::string>& words) {
   try {
-    parse(words);
+    parseCommandLine(words);
   } catch (const UsageError& error) {
     return error.what();
   }
@@ -27,15 +32,14 @@ TEST_CASE("the command render may be omitted") {
                             {"-o", "a.png", "a.p3f"},
                             {"render", "-oa.png", "a.p3f"},
                             {"--output=a.png", "a.p3f"}}) {
-    const Arguments arguments = parse(words);
-    CHECK(arguments.command == Command::render);
+    const RenderArguments arguments = parse(words);
     CHECK(arguments.files == std::vector<std::string>{"a.p3f"});
     CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png"});
   }
 }
 
 TEST_CASE("defaults of options are those of the settings") {
-  const Arguments arguments = parse({"a.p3f", "-o", "a.png"});
+  const RenderArguments arguments = parse({"a.p3f", "-o", "a.png"});
   CHECK_FALSE(arguments.request.sampleCount);
   CHECK_FALSE(arguments.request.size);
   CHECK_FALSE(arguments.request.accel);
@@ -49,7 +53,7 @@ TEST_CASE("defaults of options are those of the settings") {
 }
 
 TEST_CASE("repeated outputs add up, and of other repeated options the last one counts") {
-  const Arguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
+  const RenderArguments arguments = parse({"a.p3f", "-o", "a.png", "--seed", "1", "-o", "b.exr", "--seed", "2"});
   CHECK(arguments.outputs == std::vector<std::filesystem::path>{"a.png", "b.exr"});
   CHECK(arguments.request.image.seed == 2);
 }
@@ -108,7 +112,7 @@ TEST_CASE("a wrong value is named with the words that are allowed, and with a su
 
 TEST_CASE("a dash as scene is stdin") {
   CHECK(parse({"-", "-o", "a.png"}).files == std::vector<std::string>{"/dev/stdin"});
-  CHECK(parse({"check", "a.p3f", "-"}).files == std::vector<std::string>{"a.p3f", "/dev/stdin"});
+  CHECK(parse<CheckArguments>({"check", "a.p3f", "-"}).files == std::vector<std::string>{"a.p3f", "/dev/stdin"});
   CHECK(messageFor({"a.glb", "-o", "a.png", "--animation", "Walk"}) ==
         "--animation has no effect without --time\nsee candela render --help");
 }
@@ -122,10 +126,9 @@ TEST_CASE("a short option takes its value with or without an equals sign") {
 TEST_CASE("help of a command can be requested in any usual way") {
   for (const auto& words :
        {std::vector<std::string>{"help", "bench"}, {"--help", "bench"}, {"-h", "bench"}, {"bench", "--help"}}) {
-    const Arguments arguments = parse(words);
+    const BenchArguments arguments = parse<BenchArguments>(words);
     CHECK(arguments.help);
     CHECK(arguments.commandNamed);
-    CHECK(arguments.command == Command::bench);
   }
   CHECK(parse({"help"}).help);
   CHECK_FALSE(parse({"help"}).commandNamed);
@@ -140,18 +143,15 @@ TEST_CASE("names of other formats are refused with a better name") {
         "film.PNG: a film is an OpenEXR file; name it film.exr\nsee candela render --help");
   CHECK(messageFor({"compare", "a.exr", "b.exr", "--report", "page.pdf"}) ==
         "page.pdf: the report is an HTML page; name it page.html\nsee candela compare --help");
-  CHECK(parse({"merge", "a.exr", "-o", "film.v2"}).mergedFilm == "film.v2");
-  CHECK(parse({"compare", "a.exr", "b.exr", "--report", "page.htm"}).report == "page.htm");
+  CHECK(parse<MergeArguments>({"merge", "a.exr", "-o", "film.v2"}).output == "film.v2");
+  CHECK(parse<CompareArguments>({"compare", "a.exr", "b.exr", "--report", "page.htm"}).report == "page.htm");
 }
 
 TEST_CASE("generate has its own --size and -o") {
-  const Arguments arguments = parse({"generate", "balls", "--size", "3", "-o", "balls.nff"});
-  CHECK(arguments.command == Command::generate);
+  const auto arguments = parse<GenerateArguments>({"generate", "balls", "--size", "3", "-o", "balls.nff"});
   CHECK(arguments.files == std::vector<std::string>{"balls"});
-  CHECK(arguments.generatedSize == 3u);
+  CHECK(arguments.size == 3u);
   CHECK(arguments.generatedFile == "balls.nff");
-  CHECK_FALSE(arguments.request.size);
-  CHECK(arguments.outputs.empty());
   CHECK(messageFor({"generate", "balls", "--size", "3x3"}) ==
         "--size: expected a whole number from 0 to 4294967295, got \"3x3\"\nsee candela generate --help");
   CHECK(messageFor({"a.p3f", "-o", "a.png", "--size", "3"}) ==
@@ -178,7 +178,7 @@ TEST_CASE("options of one comparison are refused for the other") {
 TEST_CASE("the options --help and --version need no other arguments") {
   CHECK(parse({"--help"}).help);
   CHECK_FALSE(parse({"-h"}).commandNamed);
-  CHECK(parse({"compare", "-h"}).commandNamed);
+  CHECK(parse<CompareArguments>({"compare", "-h"}).commandNamed);
   CHECK(parse({"--version"}).version);
 }
 

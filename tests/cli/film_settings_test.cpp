@@ -19,10 +19,10 @@ std::shared_ptr<const scene::Scene> sharedScene() {
 }
 
 RenderJob jobWith(const std::vector<std::pair<std::string, std::string>>& options) {
-  Arguments arguments;
+  Arguments arguments = RenderArguments();
   for (const auto& [name, value] : options) REQUIRE(find(name, Command::render).apply(arguments, value));
   std::ostringstream sink;
-  return jobOf(arguments, sharedScene(), Log(sink, Verbosity::normal));
+  return jobOf(std::get<RenderArguments>(arguments), sharedScene(), Log(sink, Verbosity::normal));
 }
 
 void checkSettings(const RenderJob& job) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "host/cli/commands.h"
 #include "host/cli/option_table.h"
 
 namespace candela::cli {
@@ -16,6 +17,14 @@ inline const Option& find(const std::string& name, std::optional<Command> comman
       table, [&](const Option& o) { return o.name() == name && (!command || o.isFor(*command)); });
   REQUIRE(found != table.end());
   return *found;
+}
+
+/// Returns the default arguments of a command that has an option.
+inline Arguments argumentsWith(const Option& option) {
+  const auto found = std::ranges::find_if(commandTable(),
+                                          [&](const CommandInfo& i) { return option.isFor(i.command); });
+  REQUIRE(found != commandTable().end());
+  return defaultArguments(found->command);
 }
 
 }  // namespace candela::cli

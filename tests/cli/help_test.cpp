@@ -5,7 +5,6 @@
 #include <iterator>
 #include <sstream>
 
-#include "host/cli/arguments.h"
 #include "host/generate/kinds.h"
 #include "tests/cli/run_program.h"
 

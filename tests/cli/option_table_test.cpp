@@ -170,7 +170,7 @@ TEST_CASE("every tuned option belongs to tracing, and has auto and all values th
     CHECK(option.isFor(Command::render));
     CHECK(option.group == OptionGroup::execution);
     CHECK(option.defaultText == "auto");
-    Arguments arguments;
+    Arguments arguments = RenderArguments();
     for (const tune::Value& value : dimension.values) {
       CHECK(option.apply(arguments, value.name));
       CHECK(option.show(arguments) == std::vector{value.name});

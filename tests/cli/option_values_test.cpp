@@ -51,8 +51,8 @@ TEST_CASE("an option prints the value that it was given") {
       {"--shuffle", {"0", "7", "off"}},
       {"--timeout", {"0.5s", "90s"}},
       {"--allow-path", {"/a", "b c"}}};
-  Arguments arguments;
   for (const auto& [name, values] : samples) {
+    Arguments arguments = argumentsWith(find(name));
     for (const std::string& value : values) {
       INFO(name << " " << value);
       REQUIRE(find(name).apply(arguments, value));
@@ -62,7 +62,7 @@ TEST_CASE("an option prints the value that it was given") {
 }
 
 TEST_CASE("mattes have short names, and all layers have one") {
-  Arguments arguments;
+  Arguments arguments = RenderArguments();
   const auto layersOf = [&](const char* list) {
     REQUIRE(find("--aov").apply(arguments, list));
     return find("--aov").show(arguments).back();
@@ -73,7 +73,7 @@ TEST_CASE("mattes have short names, and all layers have one") {
 }
 
 TEST_CASE("the curve pbr-neutral has a second name") {
-  Arguments arguments;
+  Arguments arguments = RenderArguments();
   REQUIRE(find("--tonemap").apply(arguments, "neutral"));
   CHECK(find("--tonemap").show(arguments).back() == "pbr-neutral");
 }
@@ -112,24 +112,24 @@ TEST_CASE("a value out of range or of another kind is refused") {
   for (const auto& [name, values] : bad) {
     for (const std::string& value : values) {
       INFO(name << " " << value);
-      Arguments arguments;
+      Arguments arguments = argumentsWith(find(name));
       CHECK_FALSE(find(name).apply(arguments, value));
     }
   }
 }
 
 TEST_CASE("a duration may have a unit, and prints in seconds") {
-  Arguments arguments;
+  Arguments arguments = RenderArguments();
   for (const auto& [word, seconds] :
        std::vector<std::pair<std::string, double>>{{"90", 90}, {"90s", 90}, {"1.5min", 90}, {"2h", 7200}, {"0", 0}}) {
     REQUIRE(find("--checkpoint-every").apply(arguments, word));
-    CHECK(arguments.film.checkpointEvery == seconds);
+    CHECK(std::get<RenderArguments>(arguments).film.checkpointEvery == seconds);
   }
   CHECK(find("--checkpoint-every").show(arguments) == std::vector<std::string>{"0s"});
 }
 
 TEST_CASE("settings print as the command line that states them") {
-  Arguments arguments;
+  RenderArguments arguments;
   arguments.request.image.seed = 7;
   arguments.request.image.oneSided = true;
   CHECK(commandLineOf(arguments, OptionGroup::image, true) == "--seed 7 --one-sided");

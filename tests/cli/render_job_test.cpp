@@ -19,6 +19,10 @@ scene::Scene sceneWithCamera() {
   return scene;
 }
 
+std::shared_ptr<const scene::Scene> shared(const scene::Scene& scene) {
+  return std::make_shared<const scene::Scene>(scene);
+}
+
 // A caller cannot write settings that ignore what the scene requests.
 static_assert(!std::is_default_constructible_v<render::RenderSettings>);
 static_assert(!std::is_constructible_v<render::RenderSettings, render::RenderRequest>);
@@ -30,8 +34,8 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
   const Log log(sink, Verbosity::verbose);
   scene::Scene scene = sceneWithCamera();
 
-  Arguments byDefault;
-  const render::RenderSettings byDefaultSettings = resolveRequests(byDefault, scene, log);
+  RenderArguments byDefault;
+  const render::RenderSettings byDefaultSettings = jobOf(byDefault, shared(scene), log).settings;
   CHECK(byDefaultSettings.image.sampleCount == 16);
   CHECK(byDefaultSettings.structure.accel == render::AccelKind::bvh);
   CHECK(byDefaultSettings.image.size.width == 40);
@@ -40,17 +44,17 @@ TEST_CASE("the command line takes precedence over the file, and the file over th
 
   scene.requestedSamples = 225;
   scene.requestedAccel = scene::RequestedAccel::none;
-  Arguments byFile;
-  const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, log);
+  RenderArguments byFile;
+  const render::RenderSettings byFileSettings = jobOf(byFile, shared(scene), log).settings;
   CHECK(byFileSettings.image.sampleCount == 225);
   CHECK(byFileSettings.structure.accel == render::AccelKind::none);
   CHECK(sink.str() == "candela: 225 samples per pixel, as requested by the scene\n");
 
-  Arguments byOption;
+  RenderArguments byOption;
   byOption.request.sampleCount = 3;
   byOption.request.accel = render::AccelKind::bvh;
   byOption.request.size = render::Extent{5, 6};
-  const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, log);
+  const render::RenderSettings byOptionSettings = jobOf(byOption, shared(scene), log).settings;
   CHECK(byOptionSettings.image.sampleCount == 3);
   CHECK(byOptionSettings.structure.accel == render::AccelKind::bvh);
   CHECK(byOptionSettings.image.size.height == 6);
@@ -60,15 +64,15 @@ TEST_CASE("0 samples per pixel mean one ray through each pixel's origin") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
   scene.requestedSamples = 0;
-  Arguments byFile;
-  const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
+  RenderArguments byFile;
+  const render::RenderSettings byFileSettings = jobOf(byFile, shared(scene), Log(sink, Verbosity::normal)).settings;
   CHECK(byFileSettings.image.sampleCount == 1);
   CHECK_FALSE(byFileSettings.image.jittersPixels());
   CHECK_FALSE(byFileSettings.image.antialiasing);
   CHECK(render::requestOf(byFileSettings).sampleCount == 0u);
-  Arguments byOption;
+  RenderArguments byOption;
   byOption.request.sampleCount = 1;
-  const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
+  const render::RenderSettings byOptionSettings = jobOf(byOption, shared(scene), Log(sink, Verbosity::normal)).settings;
   CHECK(byOptionSettings.image.jittersPixels());
 }
 
@@ -76,29 +80,29 @@ TEST_CASE("a structure that only the scene requests is a preference") {
   std::ostringstream sink;
   scene::Scene scene = sceneWithCamera();
   scene.requestedAccel = scene::RequestedAccel::none;
-  Arguments byFile;
-  const render::RenderSettings byFileSettings = resolveRequests(byFile, scene, Log(sink, Verbosity::normal));
+  RenderArguments byFile;
+  const render::RenderSettings byFileSettings = jobOf(byFile, shared(scene), Log(sink, Verbosity::normal)).settings;
   CHECK(byFileSettings.structure.accelIsPreference);
-  Arguments byOption;
+  RenderArguments byOption;
   byOption.request.accel = render::AccelKind::none;
-  const render::RenderSettings byOptionSettings = resolveRequests(byOption, scene, Log(sink, Verbosity::normal));
+  const render::RenderSettings byOptionSettings = jobOf(byOption, shared(scene), Log(sink, Verbosity::normal)).settings;
   CHECK_FALSE(byOptionSettings.structure.accelIsPreference);
 }
 
 TEST_CASE("the maximum depth is that of the integrator unless the command line states it") {
   std::ostringstream sink;
   const Log log(sink, Verbosity::normal);
-  Arguments path;
-  const render::RenderSettings pathSettings = resolveRequests(path, sceneWithCamera(), log);
+  RenderArguments path;
+  const render::RenderSettings pathSettings = jobOf(path, shared(sceneWithCamera()), log).settings;
   CHECK(pathSettings.image.maxDepth == 64);
-  Arguments whitted;
+  RenderArguments whitted;
   whitted.request.image.integrator = render::Integrator::whitted;
-  const render::RenderSettings whittedSettings = resolveRequests(whitted, sceneWithCamera(), log);
+  const render::RenderSettings whittedSettings = jobOf(whitted, shared(sceneWithCamera()), log).settings;
   CHECK(whittedSettings.image.maxDepth == 4);
-  Arguments stated;
+  RenderArguments stated;
   stated.request.image.integrator = render::Integrator::whitted;
   stated.request.maxDepth = 7;
-  const render::RenderSettings statedSettings = resolveRequests(stated, sceneWithCamera(), log);
+  const render::RenderSettings statedSettings = jobOf(stated, shared(sceneWithCamera()), log).settings;
   CHECK(statedSettings.image.maxDepth == 7);
 }
 
@@ -120,8 +124,9 @@ TEST_CASE("a file can request each of the structures") {
                                          {scene::RequestedAccel::grid, render::AccelKind::grid},
                                          {scene::RequestedAccel::bvh, render::AccelKind::bvh}}) {
     scene.requestedAccel = requested;
-    Arguments arguments;
-    const render::RenderSettings argumentsSettings = resolveRequests(arguments, scene, Log(sink, Verbosity::normal));
+    RenderArguments arguments;
+    const render::RenderSettings argumentsSettings = jobOf(arguments, shared(scene), Log(sink, Verbosity::normal))
+                                                         .settings;
     CHECK(argumentsSettings.structure.accel == accel);
   }
   CHECK(sink.str().empty());
