@@ -12,7 +12,7 @@ struct Subtree {
 
 // A ray in the form that box tests need. Boxes are padded by the error of primitive tests relative to the primitive's
 // size; the part of the error that grows with the ray's own coordinates is added to the origin
-// (host/accel/primitive_bounds.h).
+// (host/trace/accel/primitive_bounds.h).
 struct BoxRay {
   vec3 lowOrigin;   // subtracted from the boxes' lower corners
   vec3 highOrigin;

@@ -1,4 +1,4 @@
-// Writes the means of a film to the picture that a window shows: the same as view::show() in host/view/picture.h.
+// Writes the means of a film to the picture that a window shows: the same as view::show() in host/app/view/picture.h.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #include "shared/render_data.h"

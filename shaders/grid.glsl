@@ -1,5 +1,5 @@
 // 3D-DDA through the uniform grid along a driving axis (Fujimoto, Tanaka and Iwata, "ARTS", IEEE CG&A 1986).
-// host/accel/grid.h explains why no hit is lost. Each slice of cells is computed from its index alone, so that rounding
+// host/trace/accel/grid.h explains why no hit is lost. Each slice of cells is computed from its index alone, so that rounding
 // errors do not accumulate. One iteration of the loop may both step to the next cell and test the first primitive
 // there: cells hold so few primitives that invocations looking for cells would usually have to wait for invocations
 // testing primitives (docs/performance-journal.md, "Grids").

@@ -1,4 +1,4 @@
-// Counts how many iterations of one loop the device executes in one invocation; see host/vulkan/loop_limit.h.
+// Counts how many iterations of one loop the device executes in one invocation; see host/trace/vulkan/loop_limit.h.
 #version 450
 
 layout(local_size_x = 1) in;

@@ -1,5 +1,5 @@
 // Stack traversal of the compressed 8-wide BVH (Ylitie, Karras and Laine, HPG 2017), "while-while" like that of the
-// binary one. host/accel/wide_bvh.h describes the nodes, host/accel/quantised_boxes.h explains why the box test loses
+// binary one. host/trace/accel/wide_bvh.h describes the nodes, host/trace/accel/quantised_boxes.h explains why the box test loses
 // no hit.
 #ifndef CANDELA_WIDE_BVH_GLSL
 #define CANDELA_WIDE_BVH_GLSL

@@ -1,7 +1,7 @@
 # candela_vulkan_test(NAME SOURCES ... LIBRARIES ...): like candela_test, but each case is registered once for every
 # software Vulkan driver below, with the validation layer on; any message of the layer fails the case. A driver that is
 # not installed is a failing test, never a skipped one. By hand, on another device:
-#   CANDELA_VALIDATION=1 CANDELA_TEST_DEVICE=nvidia build/dev/tests/vulkan/test_vulkan
+#   CANDELA_VALIDATION=1 CANDELA_TEST_DEVICE=nvidia build/dev/tests/trace/vulkan/test_vulkan
 
 # candela_driver_environment(VARIABLE ICD): sets VARIABLE to the environment of tests in which one driver is visible.
 # VK_ICD_FILENAMES is what loaders before 1.3.207 read. Drivers and the layer leak a few kilobytes when they are
@@ -27,7 +27,7 @@ candela_find_icd(CANDELA_SWIFTSHADER_ICD
   /usr/lib/chromium*/vk_swiftshader_icd.json /opt/google/chrome*/vk_swiftshader_icd.json
   /usr/share/vulkan/icd.d/vk_swiftshader_icd.json /usr/local/share/vulkan/icd.d/vk_swiftshader_icd.json)
 
-add_library(candela_vulkan_test_support OBJECT vulkan_support/test_device.cpp vulkan_support/validation_listener.cpp)
+add_library(candela_vulkan_test_support OBJECT trace/vulkan_support/test_device.cpp trace/vulkan_support/validation_listener.cpp)
 target_link_libraries(candela_vulkan_test_support PUBLIC candela_vulkan candela_test_main)
 candela_compile_options(candela_vulkan_test_support)
 

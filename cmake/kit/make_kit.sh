@@ -25,7 +25,7 @@ rm -rf "${work:?}/$name"
 mkdir -p "$work/$name/scenes"
 strip -o "$work/$name/candela" "$work/program/candela"
 cp "$here/run.sh" "$here/README.md" "$source/LICENSE" "$work/$name"
-cp -r "$source/host/conformance/baselines" "$work/$name"
+cp -r "$source/host/drivers/conformance/baselines" "$work/$name"
 cp "$source"/scenes/cornell.p3f "$source"/scenes/balls.p3f "$source"/scenes/primitives.p3f "$work/$name/scenes"
 
 # Equal sources give equal files: the order and the dates of the files are fixed.

@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "host/environment/environment.h"
-#include "host/gltf/gltf_loader.h"
-#include "host/scene/nff_loader.h"
-#include "host/scene/read_file.h"
+#include "host/formats/gltf/gltf_loader.h"
+#include "host/formats/loading/read_file.h"
+#include "host/formats/nff/nff_loader.h"
+#include "host/scene/environment/environment.h"
 
 namespace candela::formats {
 namespace {

@@ -1,10 +1,10 @@
-// Reads scene files of every format that there is, each by its loader (host/scene/loader.h).
+// Reads scene files of every format that there is, each by its loader (host/formats/loading/loader.h).
 #pragma once
 #include <filesystem>
 #include <span>
 
-#include "host/scene/load.h"
-#include "host/scene/loader.h"
+#include "host/formats/loading/load.h"
+#include "host/formats/loading/loader.h"
 
 namespace candela::formats {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
 
 namespace candela::image {

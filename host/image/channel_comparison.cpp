@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 
 namespace candela::image {
 namespace {

@@ -7,7 +7,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
-#include "host/core/json_text.h"
+#include "host/base/json_text.h"
 #include "host/image/murmur_hash.h"
 
 namespace candela::image {

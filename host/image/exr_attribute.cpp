@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/byte_cursor.h"
 #include "host/image/image.h"
 

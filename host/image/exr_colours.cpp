@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 
 namespace candela::image {
 namespace {

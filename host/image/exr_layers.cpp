@@ -8,7 +8,7 @@
 #include <array>
 #include <cctype>
 
-#include "host/core/lower_case.h"
+#include "host/base/lower_case.h"
 
 namespace candela::image {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <cstring>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/byte_cursor.h"
 #include "host/image/chromaticities.h"
 #include "host/image/exr_attribute.h"

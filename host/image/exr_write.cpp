@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
 #include "host/image/exr_pixels.h"
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "host/core/errors.h"
-#include "host/core/hash.h"
+#include "host/base/errors.h"
+#include "host/base/hash.h"
 
 namespace candela::image {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/colour_map.h"
 #include "host/image/flip_appearance.h"
 #include "host/image/flip_colour.h"

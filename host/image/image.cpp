@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/chromaticities.h"
 #include "host/image/codecs.h"
 #include "host/image/colour_transfer.h"

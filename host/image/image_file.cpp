@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "host/core/atomic_file.h"
-#include "host/core/errors.h"
-#include "host/core/standard_output.h"
+#include "host/base/atomic_file.h"
+#include "host/base/errors.h"
+#include "host/base/standard_output.h"
 #include "host/image/codecs.h"
 #include "host/image/image.h"
 #include "host/image/image_format.h"

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <string_view>
 
-#include "host/core/errors.h"
-#include "host/core/file_extension.h"
+#include "host/base/errors.h"
+#include "host/base/file_extension.h"
 #include "host/image/image.h"
 
 namespace candela::image {

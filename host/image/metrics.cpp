@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "host/core/errors.h"
-#include "host/core/finite.h"
+#include "host/base/errors.h"
+#include "host/base/finite.h"
 #include "host/image/colour_map.h"
 
 namespace candela::image {

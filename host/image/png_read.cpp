@@ -11,7 +11,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
 
 namespace candela::image {

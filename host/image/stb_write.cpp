@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
 
 namespace candela::image {

@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/image_format.h"
 
 namespace candela::image {

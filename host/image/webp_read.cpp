@@ -5,7 +5,7 @@
 #include <bit>
 #include <string_view>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
 
 namespace candela::image {

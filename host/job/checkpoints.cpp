@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "host/core/errors.h"
-#include "host/core/progress.h"
+#include "host/base/errors.h"
+#include "host/base/progress.h"
 #include "host/job/film_identity.h"
 
 namespace candela::job {

@@ -2,11 +2,11 @@
 #pragma once
 #include <filesystem>
 
-#include "host/core/log.h"
-#include "host/film/film_file.h"
-#include "host/film/work_report.h"
-#include "host/render/session.h"
+#include "host/base/log.h"
+#include "host/job/film/film_file.h"
+#include "host/job/film/work_report.h"
 #include "host/scene/scene.h"
+#include "host/trace/render/session.h"
 
 namespace candela::job {
 

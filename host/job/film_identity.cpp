@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 
-#include "host/core/hash_text.h"
-#include "host/core/utf8.h"
-#include "host/core/version.h"
-#include "host/render/choices_in_use.h"
+#include "host/base/hash_text.h"
+#include "host/base/utf8.h"
+#include "host/base/version.h"
 #include "host/scene/object_names.h"
+#include "host/trace/render/choices_in_use.h"
 
 namespace candela::job {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "host/film/film_file.h"
+#include "host/job/film/film_file.h"
 #include "host/job/job.h"
 
 namespace candela::job {

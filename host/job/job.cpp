@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "host/core/errors.h"
-#include "host/core/setting_words.h"
-#include "host/device/kernel.h"
+#include "host/base/errors.h"
+#include "host/base/setting_words.h"
 #include "host/image/image.h"
 #include "host/job/memory_need.h"
-#include "host/render/request.h"
+#include "host/trace/device/kernel.h"
+#include "host/trace/render/request.h"
 
 namespace candela::job {
 namespace {

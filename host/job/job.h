@@ -4,11 +4,11 @@
 #include <memory>
 #include <optional>
 
-#include "host/render/adaptive_plan.h"
-#include "host/render/session.h"
-#include "host/render/settings.h"
-#include "host/scene/load.h"
+#include "host/formats/loading/load.h"
 #include "host/scene/scene.h"
+#include "host/trace/render/adaptive_plan.h"
+#include "host/trace/render/session.h"
+#include "host/trace/render/settings.h"
 
 namespace candela::job {
 

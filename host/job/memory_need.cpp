@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "host/core/memory_budget.h"
-#include "host/core/setting_words.h"
+#include "host/base/memory_budget.h"
+#include "host/base/setting_words.h"
 #include "host/image/film.h"
 #include "host/scene/memory.h"
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "host/render/settings.h"
 #include "host/scene/scene.h"
+#include "host/trace/render/settings.h"
 
 namespace candela::job {
 

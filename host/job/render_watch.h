@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "host/core/progress.h"
+#include "host/base/progress.h"
 
 namespace candela::job {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "host/core/errors.h"
-#include "host/core/setting_words.h"
+#include "host/base/errors.h"
+#include "host/base/setting_words.h"
 #include "host/job/film_identity.h"
 
 namespace candela::job {

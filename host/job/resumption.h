@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "host/core/log.h"
-#include "host/film/film_file.h"
+#include "host/base/log.h"
+#include "host/job/film/film_file.h"
 #include "host/job/job.h"
 
 namespace candela::job {

@@ -11,15 +11,15 @@
 #include <thread>
 #include <utility>
 
-#include "host/core/interrupt.h"
-#include "host/core/setting_words.h"
+#include "host/base/interrupt.h"
+#include "host/base/setting_words.h"
 #include "host/image/image.h"
 #include "host/job/checkpoints.h"
 #include "host/job/film_identity.h"
 #include "host/job/render_watch.h"
 #include "host/job/resumption.h"
 #include "host/job/sample_loop.h"
-#include "host/reference/reference_renderer.h"
+#include "host/trace/reference/reference_renderer.h"
 
 namespace candela::job {
 namespace {

@@ -7,13 +7,13 @@
 #include <optional>
 #include <string>
 
-#include "host/core/errors.h"
-#include "host/core/log.h"
-#include "host/core/progress.h"
-#include "host/film/film_header.h"
-#include "host/film/work_report.h"
+#include "host/base/errors.h"
+#include "host/base/log.h"
+#include "host/base/progress.h"
+#include "host/job/film/film_header.h"
+#include "host/job/film/work_report.h"
 #include "host/job/job.h"
-#include "host/render/renderer.h"
+#include "host/trace/render/renderer.h"
 
 namespace candela::job {
 

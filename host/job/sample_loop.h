@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "host/job/render_watch.h"
-#include "host/render/adaptive_plan.h"
-#include "host/render/session.h"
+#include "host/trace/render/adaptive_plan.h"
+#include "host/trace/render/session.h"
 
 namespace candela::job {
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <variant>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/scene/scene.h"
 
 namespace candela::scene {

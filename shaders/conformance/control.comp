@@ -1,4 +1,4 @@
-// One piece of control flow for each value of kFunction. host/conformance/control_twins.cpp computes the same.
+// One piece of control flow for each value of kFunction. host/drivers/conformance/control_twins.cpp computes the same.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "conformance/branches.glsl"

@@ -15,7 +15,7 @@ CANDELA_BEGIN
 // of the right. If the count is 0, the reference is a node; otherwise it is the first of `count` primitive slots.
 CANDELA_CONST uint kNodeRows = 4u;
 
-// Nodes of the compressed 8-wide BVH (host/accel/wide_bvh.h), five records: (origin, exponent of the step in
+// Nodes of the compressed 8-wide BVH (host/trace/accel/wide_bvh.h), five records: (origin, exponent of the step in
 // x | y << 8 | z << 16, each biased by 127, | children that are nodes << 24) (first node of the block, first primitive
 // slot, leaf mask, 0) and the indices of planes, a byte each, children 0 to 3 and 4 to 7: (low x, low y) (low z, high
 // x) (high y, high z).

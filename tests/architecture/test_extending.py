@@ -55,14 +55,14 @@ def apply_recipes(folder):
 BOOST = (
     ("lists/surface_parameters.h", "  RECORD(kappa, ", "  RECORD(boost, kSurfaceBoost, 9u, kHasBoost) \\\n  RECORD(kappa, "),
     ("lists/surface_parameters.h", "  NUMBER(coatRoughness, ", "  NUMBER(specularBoost, 1, boost, x) \\\n  NUMBER(coatRoughness, "),
-    ("host/flatten/flatten_features.cpp", "  features.surfaces = true;\n",
+    ("host/trace/flatten/flatten_features.cpp", "  features.surfaces = true;\n",
      "  features.surfaces = true;\n  features.boosts |= surface.specularBoost != 1;\n"),
-    ("host/reference/surface_bsdf.cpp", "const double specular = ", "const double specular = double{surface.specularBoost} * "),
+    ("host/trace/reference/surface_bsdf.cpp", "const double specular = ", "const double specular = double{surface.specularBoost} * "),
     ("shaders/surface.glsl", "  float diffuse = luminance(", "  if (kHasBoost) specular *= s.specularBoost;\n  float diffuse = luminance("),
-    ("host/gltf/gltf_material.h", "  double clearcoat = 0;", "  double specularBoost = 1;\n  double clearcoat = 0;"),
-    ("host/gltf/material_extensions.cpp", "  result.clearcoat = ",
+    ("host/formats/gltf/gltf_material.h", "  double clearcoat = 0;", "  double specularBoost = 1;\n  double clearcoat = 0;"),
+    ("host/formats/gltf/material_extensions.cpp", "  result.clearcoat = ",
      '  result.specularBoost = atLeastZero(*coat, "specularBoost", 1);\n  result.clearcoat = '),
-    ("host/gltf/material_mapping.cpp", "  surface.coatWeight = ",
+    ("host/formats/gltf/material_mapping.cpp", "  surface.coatWeight = ",
      "  surface.specularBoost = static_cast<float>(source.specularBoost);\n  surface.coatWeight = "))
 
 
@@ -193,7 +193,7 @@ class SurfaceParameter(unittest.TestCase):
         self.assertEqual(len(self.files), 8)
 
     def test_both_compilers_read_the_entry(self):
-        sources = sorted({file for file in self.files if file.endswith(".cpp")} | {"host/flatten/flatten_surfaces.cpp"})
+        sources = sorted({file for file in self.files if file.endswith(".cpp")} | {"host/trace/flatten/flatten_surfaces.cpp"})
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             results = list(pool.map(lambda file: check_syntax(self.folder, [file]), sources))
         for file, result in zip(sources, results):

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "host/image/image.h"
-#include "tests/cli/run_program.h"
+#include "tests/app/cli/run_program.h"
 
 namespace candela {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "tests/vulkan_support/layer.h"
+#include "tests/trace/vulkan_support/layer.h"
 
 namespace candela::faults {
 

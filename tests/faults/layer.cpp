@@ -11,7 +11,7 @@
 // CANDELA_FAULT_WAITS names a file to which a line is appended for each vkWaitForFences: the timeout in seconds, and
 // "new" if a pipeline was bound since the last wait that had not been bound before, else "known". All devices then
 // claim to be discrete GPUs, since the program sets no time limit for devices in software.
-#include "tests/vulkan_support/layer.h"
+#include "tests/trace/vulkan_support/layer.h"
 
 #include <algorithm>
 #include <array>

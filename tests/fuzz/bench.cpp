@@ -1,6 +1,6 @@
 // The reader of benchmark reports: the input is used as both files.
-#include "host/bench/report_comparison.h"
-#include "host/bench/report_file.h"
+#include "host/measure/bench/report_comparison.h"
+#include "host/measure/bench/report_file.h"
 #include "tests/fuzz/fuzz.h"
 
 void candela::fuzz::run(Input input) {

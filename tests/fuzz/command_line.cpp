@@ -1,5 +1,5 @@
 // The command line: one word per line.
-#include "host/cli/command_line.h"
+#include "host/app/cli/command_line.h"
 
 #include <sstream>
 

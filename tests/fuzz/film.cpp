@@ -1,5 +1,5 @@
 // The reader of film files.
-#include "host/film/film_file.h"
+#include "host/job/film/film_file.h"
 #include "tests/fuzz/fuzz.h"
 
 void candela::fuzz::run(Input input) {

@@ -1,5 +1,5 @@
 // The description in a film file, which the target `film` does not reach because of its checksum.
-#include "host/film/film_header.h"
+#include "host/job/film/film_header.h"
 
 #include "tests/fuzz/fuzz.h"
 

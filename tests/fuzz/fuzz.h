@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 
 namespace candela::fuzz {
 

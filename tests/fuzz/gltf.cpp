@@ -1,5 +1,5 @@
 // The reader of glTF, as JSON and GLB. It finds no other files.
-#include "host/gltf/gltf_loader.h"
+#include "host/formats/gltf/gltf_loader.h"
 #include "tests/fuzz/fuzz.h"
 
 void candela::fuzz::run(Input input) {

@@ -1,5 +1,5 @@
 // The reader of NFF and P3F, as written and lenient.
-#include "host/scene/nff_loader.h"
+#include "host/formats/nff/nff_loader.h"
 #include "tests/fuzz/fuzz.h"
 
 void candela::fuzz::run(Input input) {

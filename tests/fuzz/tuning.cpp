@@ -1,5 +1,5 @@
 // The reader of tuning files.
-#include "host/tune/tuning_file.h"
+#include "host/measure/tune/tuning_file.h"
 #include "tests/fuzz/fuzz.h"
 
 void candela::fuzz::run(Input input) {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 
 using namespace candela;
 using namespace candela::image;

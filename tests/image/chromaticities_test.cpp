@@ -8,8 +8,8 @@
 
 #include <catch2/catch.hpp>
 
-#include "host/core/errors.h"
-#include "tests/core/temporary_folder.h"
+#include "host/base/errors.h"
+#include "tests/base/temporary_folder.h"
 
 using namespace candela;
 using namespace candela::image;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/colour_map.h"
 #include "host/image/flip_colour.h"
 

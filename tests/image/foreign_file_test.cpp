@@ -18,10 +18,10 @@
 #include <cstdio>
 #include <fstream>
 
-#include "host/core/errors.h"
-#include "host/core/input_file.h"
+#include "host/base/errors.h"
+#include "host/base/input_file.h"
 #include "host/image/image.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/image/read_pixels8.h"
 #include "tests/image/test_images.h"
 

@@ -1,9 +1,9 @@
 // Damaged and hostile image files give a FileError or some image, and nothing else.
 #include <catch2/catch.hpp>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;

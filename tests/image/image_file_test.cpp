@@ -2,10 +2,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/image.h"
 #include "host/image/texels.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/image/read_pixels8.h"
 #include "tests/image/test_images.h"
 

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <random>
 
-#include "host/core/errors.h"
+#include "host/base/errors.h"
 #include "host/image/codecs.h"
-#include "tests/core/temporary_folder.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/image/test_images.h"
 
 using namespace candela;

@@ -3,11 +3,11 @@
 
 #include <catch2/catch.hpp>
 
-#include "host/core/errors.h"
-#include "host/core/memory_budget.h"
+#include "host/base/errors.h"
+#include "host/base/memory_budget.h"
+#include "host/formats/loading/scene_builder.h"
 #include "host/image/film.h"
 #include "host/scene/memory.h"
-#include "host/scene/scene_builder.h"
 
 namespace candela::job {
 namespace {

@@ -4,12 +4,12 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "host/film/film_file.h"
+#include "host/formats/nff/nff_loader.h"
+#include "host/job/film/film_file.h"
 #include "host/job/film_identity.h"
-#include "host/reference/reference_renderer.h"
-#include "host/render/request.h"
-#include "host/scene/nff_loader.h"
-#include "tests/core/temporary_folder.h"
+#include "host/trace/reference/reference_renderer.h"
+#include "host/trace/render/request.h"
+#include "tests/base/temporary_folder.h"
 
 namespace candela::job {
 namespace {

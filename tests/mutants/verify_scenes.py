@@ -34,8 +34,8 @@ LAMPS = [("made/lamps.gltf", [])]
 SCENES_BY_NAME = {"textures: ": TEXTURES, "spot lights": LAMPS, "directional lights": LAMPS}
 SCENES = {
     **dict.fromkeys(("equivalence", "flatten", "reference", "verify", "leaf"), nff(LOBES)),
-    **dict.fromkeys(("structures", "structure", "amplified"), [(f"tests/scene/spd/{name}.nff", []) for name in DATABASES]),
-    "undecidable": [("tests/verify/mirror_cell.p3f", [])],
+    **dict.fromkeys(("structures", "structure", "amplified"), [(f"tests/formats/nff/spd/{name}.nff", []) for name in DATABASES]),
+    "undecidable": [("tests/judge/verify/mirror_cell.p3f", [])],
     "touching": [("made/touching.p3f", []), ("scenes/cornell.p3f", [])],
     "punctual": LAMPS,
     "lamps proof": LAMPS,

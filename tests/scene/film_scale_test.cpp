@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "tests/reference/scene_builder.h"
+#include "tests/trace/reference/scene_builder.h"
 
 using namespace candela;
 using namespace candela::scene;

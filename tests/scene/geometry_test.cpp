@@ -4,8 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "tests/scene/scene_text.h"
-#include "tests/scene/triangles.h"
+#include "tests/formats/loading/triangles.h"
+#include "tests/formats/nff/scene_text.h"
 
 namespace candela::scene {
 namespace {

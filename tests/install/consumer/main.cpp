@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
-#include "host/device/gpu_renderer.h"
 #include "host/formats/load_scene.h"
 #include "host/image/image.h"
 #include "host/job/run_job.h"
-#include "host/render/request.h"
+#include "host/trace/device/gpu_renderer.h"
+#include "host/trace/render/request.h"
 
 int main(int argc, char** argv) try {
   if (argc != 5) return 1;

@@ -1,0 +1,36 @@
+// Describes the state of the engine in words.
+#include "host/app/view/engine_view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace candela::view {
+
+Choice withLayer(Choice choice, ShownLayer layer) {
+  choice.layer = layer;
+  if (layer) choice.integrator = render::Integrator::path;
+  return choice;
+}
+
+Choice withIntegrator(Choice choice, render::Integrator integrator) {
+  choice.integrator = integrator;
+  if (integrator != render::Integrator::path) choice.layer.reset();
+  return choice;
+}
+
+Mode shownMode(const EngineView& view, Mode mode) {
+  const bool hasReferenceAlone = view.sides[0].scale == 0 && view.sides[1].scale > 0;
+  return hasReferenceAlone ? Mode::reference : mode;
+}
+
+std::string titleOf(const EngineView& view, Mode mode, const std::string& sceneName) {
+  if (view.isPreparing) return sceneName + ": preview - candela";
+  const SideView& device = view.sides[0];
+  const SideView& reference = view.sides[1];
+  std::uint32_t samples = shownMode(view, mode) == Mode::reference ? reference.samples : device.samples;
+  if (comparesSides(mode)) samples = std::min(samples, reference.samples);
+  return fmt::format("{}: {} of {} samples - candela", sceneName, samples, view.sampleCount);
+}
+
+}  // namespace candela::view

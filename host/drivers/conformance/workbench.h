@@ -1,0 +1,43 @@
+// The objects that the cases of one child process share: the open device and the two tracers.
+#pragma once
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "host/drivers/conformance/observation.h"
+#include "host/trace/render/renderer.h"
+#include "host/trace/vulkan/device.h"
+
+namespace candela::conformance {
+
+class Workbench {
+ public:
+  /// `recording` receives all work of the devices of open(); null: nothing is recorded. `prepareShader`
+  /// is DeviceOptions::prepareShader.
+  explicit Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording = {},
+                     vulkan::PrepareShader prepareShader = {});
+
+  const vulkan::DeviceInfo& info() const { return info_; }
+  /// Opens the device with these options.
+  vulkan::Device open(vulkan::DeviceOptions options) const;
+  /// Returns the device, which the first call opens without optional features.
+  vulkan::Device& device();
+  /// Returns the device renderer on device().
+  render::Renderer& renderer();
+  /// Returns the reference tracer.
+  render::Renderer& reference() { return *reference_; }
+  /// The observations with which cases compare theirs, by the name of their group.
+  std::map<std::string, Observation>& observations() { return observations_; }
+
+ private:
+  vulkan::DeviceInfo info_;
+  std::shared_ptr<vulkan::Recording> recording_;
+  vulkan::PrepareShader prepareShader_;
+  std::optional<vulkan::Device> device_;
+  std::unique_ptr<render::Renderer> renderer_;
+  std::unique_ptr<render::Renderer> reference_;
+  std::map<std::string, Observation> observations_;
+};
+
+}  // namespace candela::conformance

@@ -1,0 +1,71 @@
+// Chooses an animation, and evaluates its channels.
+#include "host/formats/gltf/animation.h"
+
+#include <fmt/format.h>
+
+#include "host/base/quote.h"
+#include "host/formats/gltf/animation_sampler.h"
+
+namespace candela::gltf {
+namespace {
+
+void setPath(const Value& path, const Value& sampler, double seconds, Accessors& accessors, NodePose& pose) {
+  const std::string& name = path.text();
+  const bool isRotation = name == "rotation";
+  const bool isVector = name == "translation" || name == "scale";
+  if (!isRotation && !isVector && name != "weights")
+    path.fail(scene::quote(name) + " is not a path of an animated node");
+  const std::size_t components = isRotation ? 4 : isVector ? 3 : 1;
+  const std::vector<double> value = evaluate(readSampler(sampler, components, accessors), seconds, isRotation);
+  if (isRotation) {
+    pose.rotation = asQuaternion(value);
+  } else if (name == "translation") {
+    pose.translation = glm::dvec3(value[0], value[1], value[2]);
+  } else if (name == "scale") {
+    pose.scale = glm::dvec3(value[0], value[1], value[2]);
+  } else {
+    pose.weights = value;
+  }
+}
+
+[[noreturn]] void refuseWish(const Value& animations, const std::string& wish) {
+  std::string names;
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    const std::string name = animations[i].textOr("name", "");
+    names += fmt::format("{} {}{}", i == 0 ? "" : ",", i, name.empty() ? "" : " " + scene::quote(name));
+  }
+  throw FileError(fmt::format("no animation {}; the file has the animations{}", scene::quote(wish), names));
+}
+
+// Names come before indices, since an animation may be called "1".
+Value chosenAnimation(const Value& animations, const std::optional<std::string>& wish) {
+  if (!wish) return animations[0];
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    if (animations[i].textOr("name", "") == *wish) return animations[i];
+  }
+  for (std::size_t i = 0; i < animations.size(); ++i) {
+    if (fmt::to_string(i) == *wish) return animations[i];
+  }
+  refuseWish(animations, *wish);
+}
+
+}  // namespace
+
+Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors) {
+  Pose pose;
+  if (root.sizeOf("animations") == 0) return pose;
+  const Value animation = chosenAnimation(root.require("animations"), wish);
+  const Value channels = animation.require("channels");
+  const Value samplers = animation.require("samplers");
+  for (std::size_t i = 0; i < channels.size(); ++i) {
+    const Value target = channels[i].require("target");
+    const std::optional<Value> node = target.find("node");
+    if (!node || target.require("path").text() == "pointer") continue;  // the target of an extension
+    const std::size_t index = node->indexInto("nodes", root.sizeOf("nodes"));
+    const std::size_t sampler = channels[i].require("sampler").indexInto("samplers", samplers.size());
+    setPath(target.require("path"), samplers[sampler], seconds, accessors, pose[index]);
+  }
+  return pose;
+}
+
+}  // namespace candela::gltf

@@ -1,0 +1,31 @@
+// An animation at a point in time.
+#pragma once
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/formats/gltf/accessor.h"
+
+namespace candela::gltf {
+
+/// The properties of a node that an animation sets. The node keeps its own value of each empty member.
+struct NodePose {
+  std::optional<glm::dvec3> translation;
+  std::optional<glm::dquat> rotation;
+  std::optional<glm::dvec3> scale;
+  std::vector<double> weights;  ///< of morph targets; empty: not set
+};
+
+/// By node index.
+using Pose = std::map<std::size_t, NodePose>;
+
+/// Evaluates every channel of an animation at `seconds`; before the first and after the last key frame, the values
+/// of that frame apply. `wish` is the name or the index of the animation, and the first one if it is empty. The pose is
+/// empty if there is no animation. Throws JsonError, and FileError with the names of all animations if none is the
+/// wish.
+Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors);
+
+}  // namespace candela::gltf

@@ -1,0 +1,294 @@
+// Builds a scene from nodes.
+#include "host/formats/gltf/scene_assembly.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "host/base/memory_budget.h"
+#include "host/formats/gltf/extensions.h"
+#include "host/formats/gltf/lights.h"
+#include "host/formats/gltf/material_mapping.h"
+#include "host/formats/gltf/skin.h"
+#include "host/formats/gltf/tangents.h"
+#include "host/formats/gltf/transform.h"
+#include "host/formats/loading/scene_builder.h"
+#include "host/formats/loading/shrink_images.h"
+
+namespace candela::gltf {
+namespace {
+
+constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // acceleration structures index no more
+
+std::uint64_t bytesOf(const scene::Mesh& mesh) {
+  constexpr std::uint64_t kPrimitive = sizeof(scene::Primitive);
+  return sizeof(scene::Mesh) + mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +
+         (mesh.texCoords[0].size() + mesh.texCoords[1].size()) * sizeof(glm::vec2) +
+         (mesh.tangents.size() + mesh.colours.size()) * sizeof(glm::vec4) +
+         mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
+}
+
+float minAlphaOf(const scene::TextureImage& image) {
+  std::uint32_t minAlpha = 255;
+  std::uint64_t minDeepAlpha = 65535;
+  for (const std::uint32_t texel : image.texels) minAlpha = std::min(minAlpha, texel >> 24);
+  for (const std::uint64_t texel : image.deepTexels) minDeepAlpha = std::min(minDeepAlpha, texel >> 48);
+  return std::min(static_cast<float>(minAlpha) / 255, static_cast<float>(minDeepAlpha) / 65535);
+}
+
+// A name that is not a string is ignored: other readers report it.
+std::string nameOf(const Value& value, const std::string& absent) {
+  const auto name = value.json().is_object() ? value.json().find("name") : value.json().end();
+  if (name == value.json().end() || !name->is_string() || name->get_ref<const std::string&>().empty()) return absent;
+  return name->get<std::string>();
+}
+
+template <class Vector>
+Vector elementOr(const std::vector<Vector>& values, std::size_t i, const Vector& absent) {
+  return values.empty() ? absent : values[i];
+}
+
+/// The number that all attributes of EXT_mesh_gpu_instancing have, those of applications ("_ID") included.
+std::size_t instanceCount(const Value& attributes, Accessors& accessors) {
+  if (!attributes.json().is_object()) attributes.fail("expected an object");
+  std::optional<std::size_t> count;
+  for (const auto& [name, reference] : attributes.json().items()) {
+    const std::size_t own = accessors.count(attributes.require(name));
+    if (count && own != *count) attributes.fail(fmt::format("attributes of {} and {} instances", *count, own));
+    count = own;
+  }
+  return count.value_or(0);
+}
+
+}  // namespace
+
+SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
+                             Buffers& buffers, bool lenient, scene::DiagnosticLog& log)
+    : root_(root),
+      nodes_(nodes),
+      pose_(pose),
+      accessors_(accessors),
+      buffers_(buffers),
+      log_(log),
+      textures_(root, buffers, lenient, log) {}
+
+template <class Action>
+void SceneAssembly::attempt(const Action& action) {
+  if (log_.isFull()) return;
+  try {
+    action();
+  } catch (const JsonError& error) {
+    log_.error({}, error.what());
+  }
+}
+
+void SceneAssembly::addMaterials() {
+  const std::optional<Value> list = root_.find("materials");
+  for (std::size_t i = 0; list && i < list->size(); ++i) {
+    scene_.materials.emplace_back();
+    scene_.materialNames.push_back(nameOf((*list)[i], fmt::format("material.{}", i)));
+    attempt([&] {
+      const GltfMaterial material = readMaterial((*list)[i], [&](const Value& info) { return textures_.read(info); });
+      scene_.materials.back() = fromGltf(material);
+      unread_.insert(material.unread.begin(), material.unread.end());
+      hasOcclusion_ = hasOcclusion_ || material.hasOcclusion;
+    });
+  }
+  scene_.images = textures_.takeImages();
+  const std::vector<std::string> shrunk = scene::shrinkImages(scene_.images);
+  if (!shrunk.empty()) log_.warn("images", {}, fmt::format("{}", fmt::join(shrunk, "; ")));
+  counts_["material"] = scene_.materials.size();
+  counts_["image"] = scene_.images.size();
+}
+
+void SceneAssembly::addNodes() {
+  for (const std::size_t index : nodes_.visible()) {
+    attempt([&] { addNode(index); });
+  }
+}
+
+void SceneAssembly::addNode(std::size_t index) {
+  const Value node = root_.require("nodes")[index];
+  ++counts_["node"];
+  if (node.find("camera")) ++counts_["camera"];
+  const std::size_t first = scene_.primitives.size();
+  if (nodes_.isHidden(index)) return;
+  if (node.find("mesh")) addMesh(node, index);
+  addObject(node, index, first);
+  if (extensionOf(node, "KHR_lights_punctual")) addLight(node, index);
+}
+
+Value SceneAssembly::meshOf(const Value& node) const {
+  return root_.require("meshes")[node.require("mesh").indexInto("meshes", root_.sizeOf("meshes"))];
+}
+
+void SceneAssembly::addObject(const Value& node, std::size_t index, std::size_t first) {
+  if (scene_.primitives.size() == first) return;
+  const std::string meshName = nameOf(meshOf(node), fmt::format("node.{}", index));
+  scene_.objectStarts.push_back(static_cast<std::uint32_t>(first));
+  scene_.objectNames.push_back(nameOf(node, meshName));
+}
+
+void SceneAssembly::addMesh(const Value& node, std::size_t index) {
+  const Value mesh = meshOf(node);
+  const Value primitives = mesh.require("primitives");
+  ++counts_["mesh"];
+  for (std::size_t i = 0; i < primitives.size(); ++i) {
+    attempt([&] { addPrimitive(node, index, mesh, primitives[i]); });
+  }
+}
+
+std::vector<double> SceneAssembly::morphWeights(const Value& node, std::size_t index, const Value& mesh) const {
+  const auto posed = pose_.find(index);
+  if (posed != pose_.end() && !posed->second.weights.empty()) return posed->second.weights;
+  const std::optional<Value> own = node.find("weights");
+  const std::optional<Value> list = own ? own : mesh.find("weights");
+  std::vector<double> weights;
+  for (std::size_t i = 0; list && i < list->size(); ++i) weights.push_back((*list)[i].number());
+  return weights;
+}
+
+std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
+  if (const std::optional<Value> material = primitive.find("material")) {
+    return static_cast<std::uint32_t>(material->indexInto("materials", root_.sizeOf("materials")));
+  }
+  if (defaultMaterial_ == 0) {
+    defaultMaterial_ = scene_.materials.size() + 1;
+    scene_.materials.push_back(fromGltf({}));
+    scene_.materialNames.emplace_back("default");
+  }
+  return static_cast<std::uint32_t>(defaultMaterial_ - 1);
+}
+
+void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
+  if (topologyOf(primitive) == Topology::pointsOrLines) {
+    log_.warn("points", {}, primitive.pointer() + ": points and lines are not rendered");
+    return;
+  }
+  const std::optional<Value> skin = node.find("skin");
+  const std::vector<double> weights = morphWeights(node, index, mesh);
+  std::optional<Geometry> geometry = readGeometry(primitive, {weights, skin.has_value(), byteCount_}, accessors_,
+                                                  buffers_);
+  if (!geometry) {
+    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
+    return;
+  }
+  for (const std::string& pointer : geometry->surplusTargets) {
+    log_.warn("targets", {}, pointer + " is left out: the primitive has no such attribute that the target could move");
+  }
+  ++counts_["primitive"];
+  const std::uint32_t material = materialOf(primitive);
+  noteAlpha(geometry->mesh, material);
+  const auto& tangentTexture = tangentTextureOf(scene_.materials[material]);
+  if (tangentTexture && geometry->mesh.tangents.empty()) addTangents(*geometry, *tangentTexture);
+  if (skin && !geometry->influences.joints.empty()) {
+    const Value joints = root_.require("skins")[skin->indexInto("skins", root_.sizeOf("skins"))];
+    placeSkinned(*geometry, jointMatrices(joints, nodes_, root_.sizeOf("nodes"), accessors_), primitive);
+    requireRoom(primitive, geometry->mesh, 1);
+    scene::addMesh(scene_, std::move(geometry->mesh), material);
+    return;
+  }
+  const std::vector<glm::dmat4> instances = instancesOf(node);
+  requireRoom(node, geometry->mesh, instances.size());
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    const bool isLast = i + 1 == instances.size();
+    scene::Mesh placed = isLast ? std::move(geometry->mesh) : geometry->mesh;
+    place(placed, nodes_.world(index) * instances[i], node);
+    scene::addMesh(scene_, std::move(placed), material);
+  }
+}
+
+void SceneAssembly::noteAlpha(const scene::Mesh& mesh, std::uint32_t material) {
+  float minAlpha = 1;
+  for (const glm::vec4& colour : mesh.colours) minAlpha = std::min(minAlpha, colour.w);
+  const auto [known, isNew] = minAlpha_.emplace(material, minAlpha);
+  known->second = std::min(known->second, minAlpha);
+}
+
+void SceneAssembly::dropUselessOpacity() {
+  for (std::size_t i = 0; i < scene_.materials.size(); ++i) {
+    std::optional<scene::Opacity>& opacity = scene_.materials[i].opacity;
+    if (!opacity) continue;
+    const auto vertices = minAlpha_.find(static_cast<std::uint32_t>(i));
+    float minAlpha = opacity->factor * (vertices == minAlpha_.end() ? 1 : vertices->second);
+    if (opacity->texture) minAlpha *= minAlphaOf(scene_.images[opacity->texture->image]);
+    if (minAlpha >= opacity->cutoff.value_or(1)) opacity.reset();
+  }
+}
+
+void SceneAssembly::requireRoom(const Value& source, const scene::Mesh& mesh, std::size_t copies) {
+  const std::uint64_t triangles = scene::triangleCount(mesh);
+  const std::uint64_t bytes = bytesOf(mesh);
+  if (triangles > 0 && copies > (kMaxTriangles - triangleCount_) / triangles) {
+    source.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
+  }
+  if (copies > (memoryBudget() - byteCount_) / bytes) {
+    throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that it may have",
+                                       source.pointer(), memoryBudget() >> 20));
+  }
+  triangleCount_ += triangles * copies;
+  byteCount_ += bytes * copies;
+}
+
+std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
+  const std::optional<Value> extension = extensionOf(node, "EXT_mesh_gpu_instancing");
+  if (!extension) return {glm::dmat4(1)};
+  const Value attributes = extension->require("attributes");
+  std::vector<glm::vec3> translations;
+  std::vector<glm::vec4> rotations;
+  std::vector<glm::vec3> scales;
+  if (const auto reference = attributes.find("TRANSLATION")) translations = accessors_.read<glm::vec3>(*reference);
+  if (const auto reference = attributes.find("ROTATION")) rotations = accessors_.read<glm::vec4>(*reference);
+  if (const auto reference = attributes.find("SCALE")) scales = accessors_.read<glm::vec3>(*reference);
+  const std::size_t count = instanceCount(attributes, accessors_);
+  requireMemory(fmt::format("{}: with these instances, the scene", attributes.pointer()),
+                byteCount_ + count * sizeof(glm::dmat4), "use a machine with more memory");
+  std::vector<glm::dmat4> instances;
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec4 q(elementOr(rotations, i, glm::vec4(0, 0, 0, 1)));
+    instances.push_back(compose(glm::dvec3(elementOr(translations, i, glm::vec3(0))), glm::dquat(q.w, q.x, q.y, q.z),
+                                glm::dvec3(elementOr(scales, i, glm::vec3(1)))));
+  }
+  counts_["instance"] += count;
+  return instances;
+}
+
+void SceneAssembly::addLight(const Value& node, std::size_t index) {
+  const std::optional<Value> extension = extensionOf(root_, "KHR_lights_punctual");
+  if (!extension) root_.fail("nodes have lights of KHR_lights_punctual, but the file does not");
+  const Value reference = extensionOf(node, "KHR_lights_punctual")->require("light");
+  const Value light = extension->require("lights")[reference.indexInto("lights", extension->sizeOf("lights"))];
+  if (light.find("range"))
+    log_.warn("range", {}, light.pointer() + "/range is ignored: light is not cut off at a distance");
+  scene_.punctualLights.push_back(punctualLight(light, nodes_.world(index), log_));
+  ++counts_["light"];
+}
+
+void SceneAssembly::reportOmissions() {
+  const std::optional<Value> used = root_.find("extensionsUsed");
+  for (std::size_t i = 0; used && i < used->size(); ++i) {  // checkAsset() has warned of these
+    if (supportOf((*used)[i].text()) == Support::none) unread_.erase((*used)[i].text());
+  }
+  if (unread_.empty()) return;
+  log_.warn("unread", {}, fmt::format("not rendered yet: {}", fmt::join(unread_, ", ")));
+}
+
+std::optional<Box> SceneAssembly::bounds() const {
+  std::optional<Box> box;
+  for (const scene::Mesh& mesh : scene_.meshes) {
+    if (mesh.indices.empty()) continue;
+    glm::vec3 low = mesh.positions[mesh.indices.front()];
+    glm::vec3 high = low;
+    for (const std::uint32_t index : mesh.indices) {
+      low = glm::min(low, mesh.positions[index]);
+      high = glm::max(high, mesh.positions[index]);
+    }
+    const Box own{glm::dvec3(low), glm::dvec3(high)};
+    box = box ? Box{glm::min(box->min, own.min), glm::max(box->max, own.max)} : own;
+  }
+  return box;
+}
+
+}  // namespace candela::gltf

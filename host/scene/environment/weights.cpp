@@ -1,0 +1,40 @@
+// Rounds running sums, so that the sum of the integer weights is exact.
+#include "host/scene/environment/weights.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "host/image/film.h"
+
+namespace candela::environment {
+namespace {
+
+// In proportion to the solid angle of a texel of the row.
+double solidAngle(std::uint32_t row, std::uint32_t height) {
+  const double step = std::numbers::pi / height;
+  return std::cos(row * step) - std::cos((row + 1) * step);
+}
+
+}  // namespace
+
+void setWeights(scene::Environment& environment) {
+  const std::size_t count = environment.texels.size();
+  std::vector<double> sums(count);
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto row = static_cast<std::uint32_t>(i / environment.width);
+    sum += image::luminance(glm::dvec3(environment.texels[i])) * solidAngle(row, environment.height);
+    sums[i] = sum;
+  }
+  environment.weights.assign(count, 0);
+  if (!(sum > 0)) return;
+  const double unit = static_cast<double>(scene::Environment::kMeanWeight * count);
+  std::uint64_t below = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto upTo = static_cast<std::uint64_t>(std::floor(sums[i] / sum * unit + 0.5));
+    environment.weights[i] = upTo - below;
+    below = upTo;
+  }
+}
+
+}  // namespace candela::environment

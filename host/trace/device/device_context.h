@@ -1,0 +1,19 @@
+// The device and its limits, which its sessions share.
+#pragma once
+#include <cstdint>
+#include <memory>
+
+#include "host/trace/device/pipeline_store.h"
+#include "host/trace/vulkan/device.h"
+
+namespace candela::device {
+
+struct DeviceContext {
+  vulkan::Device device;
+  std::uint32_t
+      loopLimit;  ///< loop iterations that the device executes in an invocation: host/trace/vulkan/loop_limit.h
+  std::uint64_t maxBandBytes;  ///< maximum size of a band's largest buffer
+  PipelineStore pipelines{};
+};
+
+}  // namespace candela::device

@@ -1,0 +1,138 @@
+// Converts a scene to a FlatScene, one section of records after the other.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "host/base/errors.h"
+#include "host/base/stopwatch.h"
+#include "host/scene/coincidence/coincidence.h"
+#include "host/trace/accel/primitive_bounds.h"
+#include "host/trace/flatten/camera_constants.h"
+#include "host/trace/flatten/flat_scene.h"
+#include "host/trace/flatten/flatten_hierarchy.h"
+#include "host/trace/flatten/flatten_primitives.h"
+#include "host/trace/flatten/flatten_sections.h"
+#include "host/trace/flatten/light_table.h"
+#include "host/trace/flatten/touched_primitives.h"
+
+namespace candela::flatten {
+namespace {
+
+constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
+
+void checkLimits(const scene::Scene& scene) {
+  if (scene.primitives.size() >= kMaxSlots) {
+    throw FileError(
+        fmt::format("{}: {} primitives; at most {} are supported", scene.name, scene.primitives.size(), kMaxSlots - 1));
+  }
+  if (scene.materials.size() > gpu::kMaxMaterialCount) {
+    throw FileError(fmt::format("{}: {} materials; at most {} are supported", scene.name, scene.materials.size(),
+                                gpu::kMaxMaterialCount));
+  }
+}
+
+// Returns the number of records of a tree's state. Only glass makes rays pending.
+std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
+  return gpu::kTreeRows + (features.dielectric ? gpu::kPendingRows * (maxDepth - 1) : 0);
+}
+
+void setConstants(const scene::Scene& scene, const render::RenderSettings& settings, gpu::RenderConstants& constants) {
+  setCamera(constants, *scene.camera, settings.image);
+  constants.background = scene.background;
+  constants.imageWidth = settings.image.window().width;
+  constants.imageHeight = settings.image.window().height;
+  setSampling(constants, settings.image);
+  constants.maxDepth = settings.image.maxDepth;
+  constants.rouletteStart = settings.image.rouletteStart;
+  constants.indirectLimit = settings.image.indirectLimit.value_or(0);
+}
+
+// Returns whether the settings request a structure explicitly.
+bool wantsStructure(const render::RenderSettings& settings) {
+  if (settings.structure.accel == render::AccelKind::grid) return true;
+  return settings.structure.accel == render::AccelKind::bvh &&
+         (settings.structure.bvhSplit == render::BvhSplit::midpoint ||
+          settings.structure.bvhLayout != render::BvhLayout::automatic);
+}
+
+// Builds the requested structure as the first records, and returns the order of the finite primitives.
+std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, const render::RenderSettings& settings,
+                                           std::uint32_t maxGridSide, FlatScene& flat) {
+  Stopwatch watch;
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (settings.structure.accel == render::AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
+  if (settings.structure.accel == render::AccelKind::grid)
+    order = appendGrid(bounds, settings.structure.gridDensity, maxGridSide, flat);
+  flat.structureSeconds = watch.lap();
+  flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));
+  return order;
+}
+
+}  // namespace
+
+render::LayoutInUse SceneShape::layout() const {
+  if (uniformSlots > 0) return render::LayoutInUse::list;
+  if (structure == gpu::kStructureBvh) return render::LayoutInUse::bvh2;
+  return structure == gpu::kStructureWideBvh ? render::LayoutInUse::cwbvh : render::LayoutInUse::none;
+}
+
+FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& settings, const FlattenLimits& limits) {
+  checkLimits(scene);
+  FlatScene flat;
+  setConstants(scene, settings, flat.constants);
+  flat.shape.features = featuresOf(scene, settings.image.integrator);
+  noteCamera(*scene.camera, flat.constants, flat.shape);
+  const bool whitted = settings.image.integrator == render::Integrator::whitted;
+  const scene::Coincidences coincidences = scene::findCoincidences(scene);
+  const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
+  const bool small = isSmall(scene, coincidences.coincident, limits.smallScene);
+  std::vector<std::uint32_t> order = bounds.finite;
+  if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
+  const bool isList = small && flat.shape.structure == gpu::kStructureNone;
+  flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
+  order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
+  if (isList) {
+    const auto marked = std::ranges::stable_partition(order,
+                                                      [&](std::uint32_t i) { return !coincidences.coincident[i]; });
+    flat.shape.firstMarkedSlot = static_cast<std::uint32_t>(marked.begin() - order.begin());
+  }
+  flat.shape.slotCount = static_cast<std::uint32_t>(order.size());
+  flat.constants.slotCount = flat.shape.slotCount;
+
+  const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
+                                                : buildLightTable(scene, settings.image.nextEventEstimation);
+  const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
+                             coincidenceFlags(scene, coincidences.coincident, settings.image.integrator),
+                             coincidences.behind};
+  noteLights(table, marks.touched, flat.shape.features);
+  flat.shape.behindReach = coincidences.behindReach;
+  flat.shape.coincident = coincidentKinds(scene, marks.coincidence);
+  appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
+  flat.shape.rowsAhead = limits.smallScene.rowsAhead;
+  if (isList) copySlotRows(flat);
+  const SurfaceOrder surfaces = orderSurfaces(scene);
+  appendMaterials(scene, settings.image.integrator, surfaces, flat);
+  appendSurfaces(scene, surfaces, flat);
+  if (whitted) {
+    appendPointLights(scene, settings.image.lightSize, flat);
+    flat.constants.stateRows = treeRows(flat.shape.features, settings.image.maxDepth);
+  } else {
+    appendLights(scene, table, order, flat);
+  }
+  flat.constants.firstTextureRow = rowCount(flat.rows);
+  if (flat.shape.features.textures) {
+    flat.shape.textureSlots = textureSlotsOf(scene);
+    const Rows textures = textureRows(scene);
+    flat.rows.insert(flat.rows.end(), textures.begin(), textures.end());
+  }
+  flat.constants.firstSkyRow = rowCount(flat.rows);
+  if (scene.sky) {
+    const Rows sky = skyRows(*scene.sky);
+    flat.rows.insert(flat.rows.end(), sky.begin(), sky.end());
+  }
+  if (scene.environment) appendEnvironment(*scene.environment, flat);
+  return flat;
+}
+
+}  // namespace candela::flatten

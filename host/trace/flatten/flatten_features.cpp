@@ -1,0 +1,95 @@
+// Determines the features that a scene uses.
+#include <algorithm>
+#include <vector>
+
+#include "host/trace/flatten/flat_scene.h"
+#include "host/trace/flatten/flatten_sections.h"
+#include "host/trace/flatten/lobes.h"
+
+namespace candela::flatten {
+namespace {
+
+void noteKind(scene::PrimitiveKind kind, SceneFeatures& features) {
+  switch (kind) {
+#define CANDELA_NOTE_KIND(kind, feature, name, value, flag) \
+  case scene::PrimitiveKind::kind:                          \
+    features.feature = true;                                \
+    break;
+    CANDELA_PRIMITIVE_KINDS(CANDELA_NOTE_KIND)
+#undef CANDELA_NOTE_KIND
+  }
+}
+
+void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive, SceneFeatures& features) {
+  noteKind(primitive.kind, features);
+  if (primitive.kind == scene::PrimitiveKind::sphere) {
+    features.insideOnly |= scene.spheres[primitive.index].radius < 0;
+  }
+  if (primitive.kind == scene::PrimitiveKind::triangle) {
+    features.smooth |= isSmooth(scene, primitive);
+    features.colours |= !meshOf(scene, primitive).colours.empty();
+    features.tangents |= hasTangents(scene, primitive);
+    features.normalMaps |= hasTangents(scene, primitive) && hasNormalMap(scene.materials[primitive.material]);
+  }
+}
+
+void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& features) {
+  features.surfaces = true;
+  features.transmission |= surface.transmissionWeight > 0;
+  features.volumes |= surface.hasVolume();
+  features.coats |= surface.coatWeight > 0;
+  features.films |= surface.filmWeight > 0 && std::max(surface.filmThickness, surface.filmThicknessMinimum) > 0;
+  features.dispersion |= surface.disperses();
+  features.conductors |= surface.conductor && surface.metalness > 0;
+  features.anisotropy |= surface.anisotropy > 0;
+  features.sheens |= surface.sheenColour != glm::vec3(0);
+}
+
+void noteMaterial(const scene::Material& material, render::Integrator integrator, SceneFeatures& features) {
+  const Lobes lobes = lobesFor(integrator, material);
+  features.diffuse |= lobes.diffuse > 0;
+  features.glossy |= lobes.glossy > 0;
+  features.dielectric |= lobes.dielectric > 0;
+  features.mirror |= lobes.mirror;
+  if (material.surface) noteSurface(*material.surface, features);
+  features.mixtures |= material.surface.has_value() ||
+                       (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
+  features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
+  features.transparency |= material.opacity.has_value();
+  features.textures |= isTextured(material) || material.opacity.has_value();
+}
+
+}  // namespace
+
+SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator) {
+  SceneFeatures features;
+  std::vector<bool> used(scene.materials.size());
+  for (const scene::Primitive& primitive : scene.primitives) {
+    notePrimitive(scene, primitive, features);
+    used[primitive.material] = true;
+  }
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) noteMaterial(scene.materials[i], integrator, features);
+  }
+  features.deepTexels = features.textures && hasDeepTexels(scene);
+  features.sky = scene.sky.has_value();
+  features.environment = scene.environment.has_value();
+  features.pointLights = integrator == render::Integrator::whitted && !scene.pointLights.empty();
+  return features;
+}
+
+void noteLights(std::span<const LightEntry> table, const std::vector<bool>& touched, SceneFeatures& features) {
+  for (const LightEntry& entry : table) {
+    switch (entry.kind) {
+#define CANDELA_NOTE_KIND(kind, feature, name, value) \
+  case LightKind::kind:                               \
+    features.feature = true;                          \
+    break;
+      CANDELA_LIGHT_KINDS(CANDELA_NOTE_KIND)
+#undef CANDELA_NOTE_KIND
+    }
+  }
+  features.touched = std::ranges::find(touched, true) != touched.end();
+}
+
+}  // namespace candela::flatten

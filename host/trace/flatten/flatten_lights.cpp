@@ -1,0 +1,76 @@
+// Stores the light table of the path tracer as 16-byte records.
+#include <cmath>
+#include <span>
+
+#include "host/scene/shape.h"
+#include "host/trace/flatten/flatten_sections.h"
+
+namespace candela::flatten {
+namespace {
+
+void appendPointLight(const scene::PointLight& light, const LightEntry& entry, Rows& rows) {
+  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightPoint, gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.colour), 0.0));
+  rows.push_back(row(glm::dvec3(light.position), 0.0));
+}
+
+// `cone`: the index of a spot light's cone among all cones, which follow the last light.
+void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& entry, std::size_t cone, Rows& rows) {
+  const bool isSpot = entry.kind == LightKind::spot;
+  const glm::dvec3 point = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
+                                                                : glm::dvec3(light.position);
+  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(cone) : 0.0));
+  rows.push_back(row(point, isSpot ? 1 / (double{light.versineOuter} - double{light.versineInner}) : 0.0));
+}
+
+void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
+  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightEnvironment, gpu::kNoSlot});
+  rows.insert(rows.end(), gpu::kLightRows - 1, gpu::uvec4(0));
+}
+
+void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
+  const scene::Primitive& primitive = scene.primitives[entry.index];
+  const glm::dvec3 emission(scene.materials[primitive.material].emission);
+  const bool sphere = entry.kind == LightKind::sphere;
+  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), slot});
+  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(triangleOf(scene, primitive))));
+  const scene::Sphere ball = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
+  rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
+}
+
+// Returns the slot of every primitive.
+std::vector<std::uint32_t> slotsOf(std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> slots(order.size());
+  for (std::uint32_t slot = 0; slot < order.size(); ++slot) slots[order[slot]] = slot;
+  return slots;
+}
+
+}  // namespace
+
+void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> order,
+                  FlatScene& flat) {
+  flat.constants.firstLightRow = rowCount(flat.rows);
+  flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
+  const std::vector<std::uint32_t> slots = slotsOf(order);
+  Rows cones;
+  for (const LightEntry& entry : table) {
+    if (entry.isPoint()) {
+      appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
+    } else if (entry.isEnvironment()) {
+      appendEnvironmentEntry(entry, flat.rows);
+      flat.constants.environmentProbability = entry.probability;
+    } else if (entry.isPunctual()) {
+      const scene::PunctualLight& light = scene.punctualLights[entry.index];
+      appendPunctualLight(light, entry, cones.size(), flat.rows);
+      if (entry.kind == LightKind::spot) {
+        cones.push_back(row(glm::dvec3(light.direction), double{light.versineOuter}));
+      }
+    } else {
+      appendEmitter(scene, entry, slots[entry.index], flat.rows);
+    }
+  }
+  flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());
+}
+
+}  // namespace candela::flatten

@@ -1,0 +1,63 @@
+// Stores primitives and the attributes of vertices as 16-byte records.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/scene/scene.h"
+#include "host/trace/flatten/flat_rows.h"
+#include "host/trace/flatten/flat_scene.h"
+#include "host/trace/flatten/light_table.h"
+
+namespace candela::flatten {
+
+/// Data about a primitive that its entry in the scene does not contain.
+struct PrimitiveContext {
+  std::uint32_t primitive = 0;    ///< index in Scene::primitives
+  std::uint32_t light = 0;        ///< index in the light table + 1; 0: not in it
+  bool touched = false;           ///< the surface may contain a light: touched_primitives.h
+  std::uint32_t coincidence = 0;  ///< flags of a surface with which another one may coincide
+  bool behind = false;            ///< an emitter that coincides with it is in front of it
+  bool keepsTexCoords = false;    ///< even if no texture needs the texture coordinates
+};
+
+/// Marks of primitives that depend on others.
+struct PrimitiveMarks {
+  std::vector<bool> touched;               ///< result of touchedPrimitives()
+  std::vector<std::uint32_t> coincidence;  ///< result of coincidenceFlags()
+  std::vector<bool> behind;                ///< Coincidences::behind
+};
+
+/// Returns for each primitive that is `coincident` kFlagCoincident and the flags that tell how rays cross it, and 0 for
+/// the others.
+std::vector<std::uint32_t> coincidenceFlags(const scene::Scene& scene, const std::vector<bool>& coincident,
+                                            render::Integrator integrator);
+
+/// Returns the kCoincident... of a scene whose primitives have these flags.
+std::uint32_t coincidentKinds(const scene::Scene& scene, std::span<const std::uint32_t> coincidence);
+
+/// Sets the parts of a sphere's first two records that depend on the eye: the anchor, and the unit vector from the
+/// centre to the anchor.
+void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows);
+
+/// Estimates the number of records of a triangle's attributes: three for each attribute that the scene has.
+std::size_t attributeRowsOf(const SceneFeatures& features);
+
+/// Returns the flags that name a triangle's attributes.
+std::uint32_t attributeFlags(const scene::Scene& scene, const PrimitiveContext& context,
+                             const scene::Primitive& triangle);
+
+/// Appends the attributes that the flags of a triangle name.
+void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
+                      std::uint32_t flags, Rows& rows);
+
+/// Appends the records of the primitives in this order, followed by the attributes of their vertices, and sets the
+/// constants that refer to them. `table` is the light table, and `keepsTexCoords` as in PrimitiveContext.
+void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
+                      std::span<const LightEntry> table, const PrimitiveMarks& marks, bool keepsTexCoords,
+                      FlatScene& flat);
+
+/// Copies the records of slots to the uniform buffer.
+void copySlotRows(FlatScene& flat);
+
+}  // namespace candela::flatten

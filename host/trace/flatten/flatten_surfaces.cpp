@@ -1,0 +1,129 @@
+// Stores the parameters of surfaces, and the energy tables.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <span>
+
+#include "host/base/errors.h"
+#include "host/scene/energy/anisotropic_tables.h"
+#include "host/scene/energy/energy_tables.h"
+#include "host/trace/flatten/flatten_sections.h"
+
+namespace candela::flatten {
+namespace {
+
+// Appends a record for every cell of a plane of `width` by `height` nodes.
+void appendCells(const float* nodes, std::size_t width, std::size_t height, Rows& rows) {
+  for (std::size_t j = 0; j + 1 < height; ++j) {
+    for (const float* at = nodes + j * width; at + 1 < nodes + (j + 1) * width; ++at) {
+      rows.push_back({floatBits(at[0]), floatBits(at[1]), floatBits(at[width]), floatBits(at[width + 1])});
+    }
+  }
+}
+
+void appendGlass(const energy::GlassTable& table, Rows& rows) {
+  constexpr std::size_t kLayer = energy::kGlassCosines * energy::kGlassRoughnesses;
+  for (std::size_t k = 0; k < energy::kGlassIors; ++k) {
+    appendCells(table.data() + k * kLayer, energy::kGlassCosines, energy::kGlassRoughnesses, rows);
+  }
+}
+
+// Appends the planes of a table of anisotropic microfacets, each of `cosines` by `azimuths` nodes.
+void appendAnisotropic(std::span<const float> table, std::size_t cosines, std::size_t azimuths, Rows& rows) {
+  for (std::size_t first = 0; first < table.size(); first += cosines * azimuths) {
+    appendCells(table.data() + first, cosines, azimuths, rows);
+  }
+}
+
+void appendAnisotropic(bool withGlass, Rows& rows) {
+  appendAnisotropic(energy::kAnisotropicWhite, energy::kAnisotropicCosines, energy::kAnisotropicAzimuths, rows);
+  appendAnisotropic(energy::kAnisotropicTilt, energy::kAnisotropicCosines, energy::kAnisotropicAzimuths, rows);
+  if (!withGlass) return;
+  appendAnisotropic(energy::kAnisotropicGlassOutside, energy::kAnisotropicGlassCosines,
+                    energy::kAnisotropicGlassAzimuths, rows);
+  appendAnisotropic(energy::kAnisotropicGlassInside, energy::kAnisotropicGlassCosines,
+                    energy::kAnisotropicGlassAzimuths, rows);
+}
+
+void store(const glm::vec3& colour, gpu::vec4& record) { record = {colour, record.w}; }
+
+// Returns the lanes of the records that have parameters as they are, by CANDELA_SURFACE_PARAMETERS.
+gpu::SurfaceRecords recordsOf(const scene::SurfaceParameters& s) {
+  gpu::SurfaceRecords records{};
+#define CANDELA_STORE_COLOUR(name, value, record) store(s.name, records.record);
+#define CANDELA_STORE_NUMBER(name, value, record, lane) records.record.lane = s.name;
+#define CANDELA_IGNORE_FLAG(name, value)
+  CANDELA_SURFACE_PARAMETERS(CANDELA_STORE_COLOUR, CANDELA_STORE_NUMBER, CANDELA_IGNORE_FLAG)
+#undef CANDELA_STORE_COLOUR
+#undef CANDELA_STORE_NUMBER
+#undef CANDELA_IGNORE_FLAG
+  return records;
+}
+
+void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
+  gpu::SurfaceRecords records = recordsOf(s);
+  if (!s.disperses()) records.kappa.w = 0;
+  const double rotation = s.anisotropyRotation;
+  records.direction.x = std::bit_cast<float>(volume);
+  records.direction.z = static_cast<float>(std::cos(rotation));
+  records.direction.w = static_cast<float>(std::sin(rotation));
+  const scene::Conductor conductor = s.conductor.value_or(scene::Conductor{});
+  store(conductor.ior, records.eta);
+  store(conductor.extinction, records.kappa);
+  records.eta.w = s.conductor ? 1 : 0;
+  const std::size_t first = rows.size();
+  rows.resize(first + gpu::kSurfaceRows);
+#define CANDELA_STORE_RECORD(record, name, index, isLoaded) \
+  rows[first + gpu::name] = std::bit_cast<gpu::uvec4>(records.record);
+  CANDELA_SURFACE_RECORDS(CANDELA_STORE_RECORD)
+#undef CANDELA_STORE_RECORD
+}
+
+}  // namespace
+
+SurfaceOrder orderSurfaces(const scene::Scene& scene) {
+  SurfaceOrder order;
+  order.numbers.assign(scene.materials.size(), 0);
+  const auto append = [&](bool hasVolume) {
+    for (std::uint32_t i = 0; i < scene.materials.size(); ++i) {
+      const auto& surface = scene.materials[i].surface;
+      if (!surface || surface->hasVolume() != hasVolume) continue;
+      order.materials.push_back(i);
+      order.numbers[i] = static_cast<std::uint32_t>(order.materials.size());
+    }
+  };
+  append(true);
+  order.volumeCount = static_cast<std::uint32_t>(order.materials.size());
+  append(false);
+  if (order.volumeCount > gpu::kMaxVolumeCount) {
+    throw FileError(fmt::format("{}: {} materials bound volumes; at most {} are supported", scene.name,
+                                order.volumeCount, gpu::kMaxVolumeCount));
+  }
+  return order;
+}
+
+Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order) {
+  Rows rows;
+  for (std::uint32_t i = 0; i < order.materials.size(); ++i) {
+    appendSurface(*scene.materials[order.materials[i]].surface, i < order.volumeCount ? i + 1 : 0, rows);
+  }
+  return rows;
+}
+
+Rows energyRows(const SceneFeatures& features) {
+  Rows white, tilt, rows;
+  appendCells(energy::kWhite.data(), energy::kNodes, energy::kNodes, white);
+  appendCells(energy::kTilt.data(), energy::kNodes, energy::kNodes, tilt);
+  for (std::size_t cell = 0; cell < white.size(); ++cell) rows.insert(rows.end(), {white[cell], tilt[cell]});
+  if (features.volumes) {
+    appendGlass(energy::kGlassOutside, rows);
+    appendGlass(energy::kGlassInside, rows);
+  }
+  if (features.sheens) appendCells(energy::kSheen.data(), energy::kSheenCosines, energy::kSheenRoughnesses, rows);
+  if (features.anisotropy) appendAnisotropic(features.volumes, rows);
+  return rows;
+}
+
+}  // namespace candela::flatten

@@ -1,0 +1,104 @@
+// Estimates the light that a scene receives from each group of lights.
+#include "host/trace/flatten/light_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "host/image/film.h"
+#include "host/scene/shape.h"
+#include "host/trace/flatten/light_table.h"
+
+namespace candela::flatten {
+namespace {
+
+using glm::dvec3;
+
+constexpr double kMinProbability = 0.2;
+
+struct Extent {
+  dvec3 low{std::numeric_limits<double>::infinity()};
+  dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  void add(const dvec3& point, double radius) {
+    low = glm::min(low, point - radius);
+    high = glm::max(high, point + radius);
+  }
+};
+
+void add(const scene::Sphere& sphere, Extent& extent) {
+  extent.add(dvec3(sphere.centre), std::abs(double{sphere.radius}));
+}
+
+void add(const scene::Triangle& triangle, Extent& extent) {
+  for (const glm::vec3& corner : triangle.p) extent.add(dvec3(corner), 0);
+}
+
+void add(const scene::Box& box, Extent& extent) {
+  extent.add(dvec3(box.min), 0);
+  extent.add(dvec3(box.max), 0);
+}
+
+void add(const scene::Cone& cone, Extent& extent) {
+  extent.add(dvec3(cone.base), cone.baseRadius);
+  extent.add(dvec3(cone.apex), cone.apexRadius);
+}
+
+// Planes are infinite.
+void add(const scene::Plane&, Extent&) {}
+
+// The square of half the diagonal of the box around everything that is bounded; 0 if nothing is.
+double squaredRadius(const scene::Scene& scene) {
+  Extent extent;
+  for (const scene::Primitive& primitive : scene.primitives) {
+    std::visit([&](const auto& shape) { add(shape, extent); }, shapeOf(scene, primitive));
+  }
+  const dvec3 diagonal = extent.high - extent.low;
+  return diagonal.x >= 0 ? glm::dot(diagonal, diagonal) / 4 : 0;
+}
+
+double meanLuminance(const scene::Environment& environment) {
+  double sum = 0, solidAngle = 0;
+  for (std::uint32_t row = 0; row < environment.height; ++row) {
+    const double step = std::numbers::pi / environment.height;
+    const double texel = std::cos(row * step) - std::cos((row + 1) * step);
+    double luminance = 0;
+    for (std::uint32_t column = 0; column < environment.width; ++column) {
+      luminance += image::luminance(dvec3(environment.texels[std::size_t{row} * environment.width + column]));
+    }
+    sum += texel * luminance;
+    solidAngle += texel * environment.width;
+  }
+  return sum / solidAngle;
+}
+
+// In units of pi.
+GroupValues fluxes(const scene::Scene& scene, const GroupValues& weights) {
+  const double squared = squaredRadius(scene);
+  GroupValues flux{weights[0], 0, 0};
+  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) {
+    flux[1] += lightPower(scene, LightKind::point, i) * std::numbers::pi * squared;
+  }
+  for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) flux[1] += lightPower(scene, LightKind::punctual, i);
+  if (weights[2] > 0) flux[2] = 4 * squared * meanLuminance(*scene.environment);
+  return flux;
+}
+
+}  // namespace
+
+GroupValues groupProbabilities(const scene::Scene& scene, const GroupValues& weights) {
+  const auto count = static_cast<double>(std::ranges::count_if(weights, [](double weight) { return weight > 0; }));
+  GroupValues flux = weights;
+  if (count > 1) flux = fluxes(scene, weights);
+  const double sum = flux[0] + flux[1] + flux[2];
+  GroupValues probabilities{};
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (weights[i] <= 0) continue;
+    probabilities[i] = count == 1 || !(sum > 0) ? 1 / count
+                                                : kMinProbability + (1 - kMinProbability * count) * flux[i] / sum;
+  }
+  return probabilities;
+}
+
+}  // namespace candela::flatten

@@ -1,0 +1,131 @@
+// Computes the table by which lights are sampled.
+#include "host/trace/flatten/light_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "host/image/film.h"
+#include "host/scene/emission_mean.h"
+#include "host/trace/flatten/light_groups.h"
+
+namespace candela::flatten {
+namespace {
+
+constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the random numbers
+constexpr std::size_t kUnhitGroup = 1;          // lights without extent, which no ray hits
+constexpr double kMinPart = 0.2;                // lowest weight of such a light, relative to their mean
+
+// Returns nothing for primitives that light sampling does not choose.
+std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Primitive& primitive) {
+  if (!isEmissive(scene.materials[primitive.material])) return std::nullopt;
+  if (primitive.kind == scene::PrimitiveKind::sphere && scene.spheres[primitive.index].radius != 0) {
+    return LightKind::sphere;
+  }
+  if (primitive.kind == scene::PrimitiveKind::triangle && triangleArea(triangleOf(scene, primitive)) > 0) {
+    return LightKind::triangle;
+  }
+  return std::nullopt;
+}
+
+LightKind kindOf(const scene::PunctualLight& light) {
+  if (light.kind == scene::PunctualLight::Kind::spot) return LightKind::spot;
+  return light.kind == scene::PunctualLight::Kind::directional ? LightKind::directional : LightKind::punctual;
+}
+
+double punctualPower(const scene::PunctualLight& light) {
+  const double reach = light.kind == scene::PunctualLight::Kind::directional ? double{light.reach} : 1.0;
+  return reach * reach * image::luminance(glm::dvec3(light.intensity));
+}
+
+std::size_t groupOf(LightKind kind) {
+  if (kind == LightKind::environment) return 2;
+  return kind < LightKind::point ? 0 : kUnhitGroup;
+}
+
+// The environment's weight is 1 if any texel can be chosen.
+double environmentPower(const scene::Environment& environment) {
+  return std::ranges::any_of(environment.weights, [](std::uint64_t weight) { return weight > 0; }) ? 1 : 0;
+}
+
+// Raises low weights of the lights that no ray hits, so that none is lost beside a much brighter one. Returns the sum.
+double raiseUnhit(const std::vector<LightEntry>& table, std::vector<double>& weights, double sum) {
+  std::vector<double*> unhit;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (groupOf(table[i].kind) == kUnhitGroup && weights[i] > 0) unhit.push_back(&weights[i]);
+  }
+  const double minimum = kMinPart * sum / static_cast<double>(unhit.size());
+  double raised = 0;
+  for (double* weight : unhit) {
+    *weight = std::max(*weight, minimum);
+    raised += *weight;
+  }
+  return raised;
+}
+
+void setThresholds(std::vector<LightEntry>& table, const std::vector<double>& probabilities) {
+  std::size_t lastPositive = 0;
+  for (std::size_t i = 0; i < probabilities.size(); ++i) {
+    if (probabilities[i] > 0) lastPositive = i;
+  }
+  double sum = 0;
+  std::uint32_t previous = 0;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    sum += probabilities[i];
+    const double threshold = i >= lastPositive ? kThresholdScale : std::floor(kThresholdScale * sum + 0.5);
+    table[i].threshold = static_cast<std::uint32_t>(threshold);
+    table[i].probability = static_cast<float>((threshold - previous) / kThresholdScale);
+    previous = table[i].threshold;
+  }
+}
+
+}  // namespace
+
+double triangleArea(const scene::Triangle& triangle) {
+  const glm::dvec3 p0(triangle.p[0]);
+  return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.p[1]) - p0, glm::dvec3(triangle.p[2]) - p0));
+}
+
+double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index) {
+  if (kind == LightKind::environment) return environmentPower(*scene.environment);
+  if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
+  if (kind > LightKind::point) return punctualPower(scene.punctualLights[index]);
+  const scene::Primitive& primitive = scene.primitives[index];
+  const glm::dvec3 emission(scene.materials[primitive.material].emission);
+  if (kind == LightKind::triangle) {
+    return triangleArea(triangleOf(scene, primitive)) *
+           image::luminance(emission * meanEmissionTexel(scene, primitive));
+  }
+  const double emitted = image::luminance(emission);
+  const double radius = scene.spheres[primitive.index].radius;
+  return 4 * std::numbers::pi * radius * radius * emitted;
+}
+
+std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters) {
+  std::vector<LightEntry> table;
+  std::vector<double> weights;
+  GroupValues sums{};
+  const auto add = [&](LightKind kind, std::uint32_t index) {
+    table.push_back({.kind = kind, .index = index});
+    weights.push_back(lightPower(scene, kind, index));
+    sums[groupOf(kind)] += weights.back();
+  };
+  for (std::uint32_t i = 0; withEmitters && i < scene.primitives.size(); ++i) {
+    if (const std::optional<LightKind> kind = emitterKind(scene, scene.primitives[i])) add(*kind, i);
+  }
+  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i);
+  for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i);
+  if (withEmitters && scene.environment) add(LightKind::environment, 0);
+  if (sums == GroupValues{}) return {};
+  const GroupValues groups = groupProbabilities(scene, sums);
+  sums[kUnhitGroup] = raiseUnhit(table, weights, sums[kUnhitGroup]);
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const std::size_t group = groupOf(table[i].kind);
+    weights[i] = sums[group] > 0 ? weights[i] / sums[group] * groups[group] : 0;
+  }
+  setThresholds(table, weights);
+  return table;
+}
+
+}  // namespace candela::flatten

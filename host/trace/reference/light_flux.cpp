@@ -1,0 +1,63 @@
+// Measures a scene and its environment.
+#include "host/trace/reference/light_flux.h"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "host/image/film.h"
+#include "host/scene/shape.h"
+
+namespace candela::reference {
+namespace {
+
+using glm::dvec3;
+
+/// A ball of which the ends of a primitive's box are made.
+struct Ball {
+  dvec3 centre;
+  double radius;
+};
+
+using Balls = std::vector<Ball>;
+
+Balls ballsOf(const scene::Sphere& s) { return {{dvec3(s.centre), std::abs(double{s.radius})}}; }
+
+Balls ballsOf(const scene::Triangle& t) { return {{dvec3(t.p[0]), 0}, {dvec3(t.p[1]), 0}, {dvec3(t.p[2]), 0}}; }
+
+Balls ballsOf(const scene::Box& box) { return {{dvec3(box.min), 0}, {dvec3(box.max), 0}}; }
+
+Balls ballsOf(const scene::Cone& cone) {
+  return {{dvec3(cone.base), cone.baseRadius}, {dvec3(cone.apex), cone.apexRadius}};
+}
+
+Balls ballsOf(const scene::Plane&) { return {}; }
+
+}  // namespace
+
+double squaredRadius(const scene::Scene& scene) {
+  bool isEmpty = true;
+  dvec3 low(0), high(0);
+  for (const scene::Primitive& primitive : scene.primitives) {
+    for (const Ball& ball :
+         std::visit([](const auto& shape) { return ballsOf(shape); }, scene::shapeOf(scene, primitive))) {
+      low = isEmpty ? ball.centre - ball.radius : glm::min(low, ball.centre - ball.radius);
+      high = isEmpty ? ball.centre + ball.radius : glm::max(high, ball.centre + ball.radius);
+      isEmpty = false;
+    }
+  }
+  return glm::dot(high - low, high - low) / 4;
+}
+
+double meanLuminance(const scene::Environment& environment) {
+  double sum = 0;
+  for (std::size_t i = 0; i < environment.texels.size(); ++i) {
+    const double row = static_cast<double>(i / environment.width);
+    sum += std::sin((row + 0.5) * std::numbers::pi / environment.height) *
+           image::luminance(dvec3(environment.texels[i]));
+  }
+  // The sum of the sines is 1 / sin(step / 2).
+  return sum * std::sin(std::numbers::pi / environment.height / 2) / environment.width;
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,159 @@
+// Computes the entries and thresholds of the light table.
+#include "host/trace/reference/lights.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "host/scene/coincidence/coincidence.h"
+#include "host/trace/reference/light_flux.h"
+#include "host/trace/reference/sampling.h"
+#include "host/trace/reference/textured_material.h"
+
+namespace candela::reference {
+namespace {
+
+constexpr std::uint32_t kChoiceCount = 1u << 24;
+constexpr double kMinGroupProbability = 0.2;
+constexpr double kMinPointWeight = 0.2;  // of the mean weight
+
+// Emitters, lights that no ray finds, and the environment.
+enum Group { kEmitters, kPoints, kEnvironment, kGroupCount };
+
+Group groupOf(const Light& light) {
+  if (std::holds_alternative<EnvironmentLight>(light)) return kEnvironment;
+  const bool isPoint = std::holds_alternative<PointLight>(light) || std::holds_alternative<PunctualLight>(light);
+  return isPoint ? kPoints : kEmitters;
+}
+
+}  // namespace
+
+LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
+    : entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
+  if (settings.image.nextEventEstimation) {
+    for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) collectEmitter(scene, i, settings.image.oneSided);
+  }
+  for (const scene::PointLight& light : scene.pointLights) add(PointLight(light));
+  for (const scene::PunctualLight& light : scene.punctualLights) add(PunctualLight(light));
+  if (settings.image.nextEventEstimation && scene.environment) {
+    const auto& weights = scene.environment->weights;
+    const bool shines = std::ranges::any_of(weights, [](std::uint64_t weight) { return weight > 0; });
+    entryOfEnvironment_ = add(EnvironmentLight(shines));
+  }
+  noteCopies(scene);
+  const std::vector<double> groups = groupProbabilities(scene);
+  raisePointWeights();
+  computeThresholds(groups);
+}
+
+void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
+  const scene::Primitive& emitter = scene.primitives[primitive];
+  const scene::Material& material = scene.materials[emitter.material];
+  if (!isEmissive(material)) return;
+  if (emitter.kind == scene::PrimitiveKind::sphere) {
+    entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[emitter.index], material.emission, primitive));
+  } else if (emitter.kind == scene::PrimitiveKind::triangle) {
+    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided,
+                              meanEmissionTexel(scene, emitter));
+    if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
+  }
+}
+
+void LightTable::noteCopies(const scene::Scene& scene) {
+  if (std::ranges::all_of(entryOfPrimitive_, [](std::uint32_t entry) { return entry == kNoEntry; })) return;
+  firstCopies_ = scene::firstCopies(scene);
+  for (std::uint32_t i = 0; i < entryOfPrimitive_.size(); ++i) {
+    if (entryOfPrimitive_[i] != kNoEntry) entries_[entryOfPrimitive_[i]].firstCopy = firstCopies_[i];
+  }
+}
+
+std::uint32_t LightTable::add(const Light& light) {
+  entries_.push_back({light, std::visit([](const auto& of) { return of.power(); }, light)});
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+std::vector<double> LightTable::groupWeights() const {
+  std::vector<double> sums(kGroupCount, 0.0);
+  for (const Entry& entry : entries_) sums[groupOf(entry.light)] += entry.weight;
+  return sums;
+}
+
+std::vector<double> LightTable::groupProbabilities(const scene::Scene& scene) const {
+  std::vector<double> probabilities = groupWeights();
+  const auto count = static_cast<double>(std::ranges::count_if(probabilities, [](double sum) { return sum > 0; }));
+  if (count <= 1) return {1, 1, 1};
+  const double squared = squaredRadius(scene);
+  const auto flux = [&](const Entry& entry) {  // divided by pi
+    if (std::holds_alternative<PointLight>(entry.light)) return entry.weight * kPi * squared;
+    const bool isEnvironment = std::holds_alternative<EnvironmentLight>(entry.light) && entry.weight > 0;
+    return isEnvironment ? 4 * squared * meanLuminance(*scene.environment) : entry.weight;
+  };
+  std::array<double, kGroupCount> fluxes{};
+  for (const Entry& entry : entries_) fluxes[groupOf(entry.light)] += flux(entry);
+  const double sum = fluxes[kEmitters] + fluxes[kPoints] + fluxes[kEnvironment];
+  for (std::size_t group = 0; group < fluxes.size(); ++group) {
+    const double fraction = sum > 0 ? fluxes[group] / sum : 1 / count;
+    probabilities[group] = std::lerp(fraction, 1 / count, count * kMinGroupProbability);
+  }
+  return probabilities;
+}
+
+void LightTable::raisePointWeights() {
+  const auto isChoosable = [](const Entry& entry) { return groupOf(entry.light) == kPoints && entry.weight > 0; };
+  const auto count = static_cast<double>(std::ranges::count_if(entries_, isChoosable));
+  const double minimum = kMinPointWeight * groupWeights()[kPoints] / count;
+  for (Entry& entry : entries_) {
+    if (isChoosable(entry)) entry.weight = std::max(entry.weight, minimum);
+  }
+}
+
+void LightTable::computeThresholds(const std::vector<double>& groups) {
+  const std::vector<double> sums = groupWeights();
+  double running = 0;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < entries_.size(); ++i) {
+    const int group = groupOf(entries_[i].light);
+    const double groupSum = sums[group];
+    if (entries_[i].weight > 0) {
+      running += groups[group] * entries_[i].weight / groupSum;
+      last = i;
+    }
+    thresholds_.push_back(static_cast<std::uint32_t>(std::floor(running * kChoiceCount + 0.5)));
+  }
+  if (running > 0) std::fill(thresholds_.begin() + static_cast<std::ptrdiff_t>(last), thresholds_.end(), kChoiceCount);
+}
+
+double LightTable::probability(std::uint32_t entry) const {
+  const std::uint32_t below = entry == 0 ? 0 : thresholds_[entry - 1];
+  return static_cast<double>(thresholds_[entry] - below) / kChoiceCount;
+}
+
+LightChoice LightTable::choose(std::uint32_t word) const {
+  const auto found = std::upper_bound(thresholds_.begin(), thresholds_.end(), word >> 8);
+  const auto entry = static_cast<std::uint32_t>(found - thresholds_.begin());
+  return {entry, probability(entry)};
+}
+
+std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const {
+  const std::uint32_t copy = entries_[entry].firstCopy;
+  const bool isOnPrimitive = copy != kNoEntry && surface.primitive != kNoPrimitive;
+  const bool isOnCopy = isOnPrimitive && copy == firstCopies_[surface.primitive];
+  if (isOnCopy && entryOfPrimitive_[surface.primitive] != entry) return std::nullopt;
+  return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
+}
+
+double LightTable::pdf(const Ray& ray, double distance, const Surface& surface) const {
+  return pdfOf(entryOfPrimitive_[surface.primitive], ray, distance);
+}
+
+double LightTable::environmentProbability() const {
+  return entryOfEnvironment_ == kNoEntry ? 0 : probability(entryOfEnvironment_);
+}
+
+double LightTable::pdfOf(std::uint32_t entry, const Ray& ray, double distance) const {
+  if (entry == kNoEntry) return 0;
+  const double chosen = probability(entry);
+  return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry].light);
+}
+
+}  // namespace candela::reference

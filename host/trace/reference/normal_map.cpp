@@ -1,0 +1,56 @@
+// Turns shading normals by the texels of normal maps.
+#include "host/trace/reference/normal_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace candela::reference {
+namespace {
+
+// The components of a direction that a texel encodes in red, green and blue.
+dvec3 directionOf(Texel texel) { return 2.0 * dvec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0; }
+
+}  // namespace
+
+void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface) {
+  const MeshAttributes& attributes = surface.attributes;
+  const std::optional<Texel> texel = textures.at(surface, slot);
+  if (!texel || attributes.tangent == dvec3(0)) return;
+  const scene::Material& material = textures.scene.materials[surface.material];
+  const double scale = slot == scene::TextureSlot::normal ? material.normalScale : material.coatNormalScale;
+  const dvec3 c = directionOf(*texel);
+  dvec3 mapped = c.x * scale * attributes.tangent + c.y * scale * attributes.bitangent + c.z * surface.smoothNormal;
+  if (mapped == dvec3(0)) return;
+  mapped = normalize(mapped);
+  const double cosine = dot(mapped, surface.outwardNormal);
+  if (cosine < 0) mapped -= 2 * cosine * surface.outwardNormal;
+  surface.shadingNormal = surface.fromOutside ? mapped : -mapped;
+  surface.isMapped = true;
+}
+
+double NormalMapFacets::directProbability(const dvec3& wo) const {
+  const double direct = std::max(0.0, wo.z);
+  const double reflected = std::max(0.0, -dot(wo, tilt()));
+  return reflected > 0 ? direct / (direct + reflected) : 1;
+}
+
+dvec3 NormalMapFacets::seenByReflection(const dvec3& wo) const {
+  const dvec3 neighbour = normalize(tilt());
+  return wo - 2 * dot(wo, neighbour) * neighbour;
+}
+
+// The angle from the mapped normal changes to one from the geometric normal, about their common tangent. Their sines,
+// downwards, are linear functions of each other.
+dvec3 NormalMapFacets::scatteredAgain(const dvec3& w) const {
+  const dvec3 tangent = cross(dvec3(0, 0, 1), geometric_);
+  if (tangent == dvec3(0)) return mirrored(w);
+  const dvec3 axis = normalize(tangent);
+  const dvec3 downFacet = cross(axis, dvec3(0, 0, -1)), downSurface = cross(axis, -geometric_);
+  const double along = dot(w, axis), down = dot(w, downFacet);
+  const double radius = std::hypot(down, w.z);
+  const double depth = std::clamp((1 - down / radius) / (2 * sunkFraction()), 0.0, 1.0);
+  const double sine = 2 * depth - 1;
+  return along * axis + radius * (sine * downSurface + std::sqrt(1 - sine * sine) * geometric_);
+}
+
+}  // namespace candela::reference

@@ -1,0 +1,137 @@
+// Tests each primitive with a ray of its own.
+#include "host/trace/reference/rounding/rounded_tracing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/base/hash.h"
+#include "host/scene/coincidence/coincidence.h"
+#include "host/trace/reference/opacity.h"
+#include "host/trace/reference/rounding/bounds.h"
+#include "host/trace/reference/visit_items.h"
+
+namespace candela::reference {
+namespace {
+
+// Twice the relative error of a distance by rounding.
+constexpr double kTie = 2 * kRoundingBounds.hitDistance * kRoundoff;
+
+double signOfPrimitive(std::uint64_t word, std::uint32_t primitive) {
+  return (splitMix(word + primitive * kSplitMixStep) & 1) != 0 ? 1 : -1;
+}
+
+double texCoordError(const glm::vec3& row, const dvec2& scale) {
+  const dvec3 terms = glm::abs(dvec3(row)) * dvec3(scale, 1);
+  return kRoundingBounds.texCoord * kRoundoff * (1 + terms.x + terms.y + terms.z);
+}
+
+}  // namespace
+
+// The points from which each kind of shape is computed.
+struct RoundedTracing::ReachOfShape {
+  const dvec3& eye;
+
+  Reach operator()(const SphereShape& sphere) const {
+    const dvec3 towards = eye - sphere.centre;
+    const dvec3 outward = towards == dvec3(0) ? dvec3(0) : std::abs(sphere.radius) * normalize(towards);
+    return {sphere.centre + outward, 0, kRoundingBounds.sphereTest};
+  }
+
+  Reach operator()(const TriangleShape& triangle) const {
+    const dvec3 centre = (triangle.corner + triangle.corner1 + triangle.corner2) / 3.0;
+    const double radius = std::max(
+        {length(triangle.corner - centre), length(triangle.corner1 - centre), length(triangle.corner2 - centre)});
+    return {centre, radius, kRoundingBounds.triangleTest};
+  }
+
+  Reach operator()(const BoxShape& box) const {
+    return {(box.min + box.max) / 2.0, length(box.max - box.min) / 2, kRoundingBounds.boxTest};
+  }
+
+  Reach operator()(const ConeShape& cone) const { return {cone.base, cone.height, kRoundingBounds.coneTest}; }
+
+  Reach operator()(const PlaneShape& plane) const { return {plane.point, 0, kRoundingBounds.planeTest}; }
+};
+
+RoundedTracing::RoundedTracing(const scene::Scene& scene, const Tracing& tracing, const dvec3& eye)
+    : scene_(scene), tracing_(tracing), firstCopies_(scene::firstCopies(scene)) {
+  reaches_.reserve(tracing.items().size());
+  for (const Tracing::Item& item : tracing.items()) reaches_.push_back(std::visit(ReachOfShape{eye}, item.shape));
+}
+
+dvec3 RoundedTracing::testedOrigin(const Tracing::Item& item, const dvec3& origin, const dvec3& signs) const {
+  const Reach& reach = reaches_[static_cast<std::size_t>(&item - tracing_.items().data())];
+  return origin + reach.units * kRoundoff * (length(origin - reach.centre) + reach.radius) * signs;
+}
+
+double RoundedTracing::signOf(const Tracing::Item& item, std::uint64_t word) const {
+  return signOfPrimitive(word, firstCopies_[item.primitive]);
+}
+
+double RoundedTracing::roundedDistance(const Tracing::Item& item, double exact, std::uint64_t word) const {
+  return exact * (1 + kTie / 2 * signOf(item, word));
+}
+
+bool RoundedTracing::passes(const Tracing::Item& item, const Ray& ray, std::uint64_t word) const {
+  if (!item.transparent) return false;
+  const MeshAttributes attributes = attributesAtHit(scene_, item.primitive, ray);
+  const dvec2 signs(signOfPrimitive(word, item.primitive), signOfPrimitive(~word, item.primitive));
+  const dvec2 st = roundedTexCoords(scene_.materials[item.material].opacity->texture, attributes, signs);
+  return !isThere(scene_, item.primitive, ray, attributes, st);
+}
+
+Hit RoundedTracing::closest(Ray& ray, Counters& counters, const RayErrors& errors) const {
+  Hit nearest;
+  Tracing::Candidate best;
+  dvec3 hitOrigin = ray.origin;
+  Ray tested = ray;
+  tracing_.visitItems(ray, best.distance, counters, [&](const Tracing::Item& item) {
+    tested.origin = testedOrigin(item, ray.origin, errors.signs);
+    const double exact = tracing_.distance(item, tested);
+    if (!(exact < best.distance * (1 + kTie))) return false;
+    const double rounded = roundedDistance(item, exact, errors.word);
+    const Tracing::Candidate candidate = tracing_.candidate(item, tested, rounded);
+    if (!(candidate < best) || passes(item, tested, errors.word)) return false;
+    best = candidate;
+    nearest = {rounded, item.primitive};
+    hitOrigin = tested.origin;
+    return false;
+  });
+  ray.origin = hitOrigin;
+  return nearest;
+}
+
+bool RoundedTracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, const RayErrors& errors) const {
+  const Tracing::Item* const light = tracing_.itemOf(end.light);
+  bool occluded = false;
+  Ray tested = ray;
+  const auto ofLight = [&] {
+    Ray toLight = ray;
+    toLight.origin = testedOrigin(*light, ray.origin, errors.signs);
+    return roundedDistance(*light, tracing_.distance(*light, toLight), errors.word);
+  };
+  tracing_.visitItems(ray, end.distance, counters, [&](const Tracing::Item& item) {
+    if (&item == light) return false;
+    tested.origin = testedOrigin(item, ray.origin, errors.signs);
+    const double t = tracing_.distance(item, tested);
+    if (t == kNoHit || passes(item, tested, errors.word)) return false;
+    std::optional<bool> hides;
+    if (light) hides = tracing_.hidesEmitter(item, roundedDistance(item, t, errors.word), *light, ofLight());
+    const double sign = signOf(item, errors.word);
+    const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
+    occluded = hides.value_or(t < end.distance * (1 - kTie / 2 * sign) &&
+                              !tracing_.containsLight(item, tested, t, end, fraction));
+    return occluded;
+  });
+  return occluded;
+}
+
+dvec2 roundedTexCoords(const std::optional<scene::TextureReference>& texture, const MeshAttributes& attributes,
+                       const dvec2& signs) {
+  if (!texture) return dvec2(0);
+  const dvec2& scale = attributes.texCoordScale[texture->texCoordSet];
+  const dvec2 errors(texCoordError(texture->rowS, scale), texCoordError(texture->rowT, scale));
+  return textureCoordinates(*texture, attributes) + signs * errors;
+}
+
+}  // namespace candela::reference

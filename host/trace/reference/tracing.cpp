@@ -1,0 +1,260 @@
+// Intersects rays by brute force, through the BVH, and through the grid.
+#include "host/trace/reference/tracing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/scene/coincidence/coincidence.h"
+#include "host/trace/reference/coincidence.h"
+#include "host/trace/reference/opacity.h"
+#include "host/trace/reference/visit_items.h"
+
+namespace candela::reference {
+namespace {
+
+// Rays of replicas are displaced, and rays that cross a surface hit what coincides with it. Both may hit points outside
+// of a primitive's box, by far less than this.
+void pad(std::vector<Bounds>& boxes, const dvec3& eye) {
+  constexpr double kPadding = 0x1p-16;
+  dvec3 largest = glm::abs(eye);
+  for (const Bounds& box : boxes) largest = glm::max(largest, glm::max(glm::abs(box.min), glm::abs(box.max)));
+  const dvec3 padding(kPadding * std::max({largest.x, largest.y, largest.z}));
+  for (Bounds& box : boxes) box = {box.min - padding, box.max + padding};
+}
+
+bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
+  return primitive.kind != scene::PrimitiveKind::triangle ||
+         TriangleShape(triangleOf(scene, primitive)).areaNormal() != dvec3(0);
+}
+
+bool transmits(const scene::Material& material, bool whitted) {
+  if (whitted) return material.whitted && material.whitted->kind == scene::WhittedKind::glass;
+  return material.dielectric || (material.surface && material.surface->transmissionWeight > 0);
+}
+
+// Returns the distance at which a ray hits a shape. A flat one-sided shape is not hit from its back.
+struct HitDistance {
+  const Ray& ray;
+  bool startsHere;
+  bool oneSided;
+  const Shape* origin;   // of another primitive, on which the ray starts
+  bool passesSameSide;   // a ray that starts on a surface that coincides with this one passes it: on the side on which
+  bool passesOtherSide;  // it entered or exited its origin primitive, and on the opposite side
+
+  double operator()(const SphereShape& sphere) const {
+    if (!origin || !isSame(*origin, sphere)) return sphere.distance(ray, startsHere);
+    const bool isHit = sphere.radius > 0 || dot(ray.direction, ray.at(0) - sphere.centre) > 0;
+    const bool isSameSide = std::get<SphereShape>(*origin).radius == sphere.radius;
+    return passes(isSameSide) || !isHit ? sphere.distance(ray, true) : kAtOnce;
+  }
+  double operator()(const ConeShape& cone) const {
+    if (!origin || !isSame(*origin, cone)) return cone.distance(ray, startsHere);
+    return passes(true) ? cone.distance(ray, true) : kAtOnce;
+  }
+  double operator()(const BoxShape& box) const {
+    if (!origin) return box.distance(ray, startsHere);
+    if (isSame(*origin, box)) return passes(true) ? box.distance(ray, true) : kAtOnce;
+    const BoxShape::Crossings line = box.crossings(ray);
+    if (line.misses()) return kNoHit;
+    const FlatSurface entered(box, line.entryNormal(ray));
+    const FlatSurface exited(box, line.exitNormal(ray));
+    if (isInPlaneOfOrigin(exited)) return passes(isSameSide(exited.normal)) ? kNoHit : kAtOnce;
+    if (isInPlaneOfOrigin(entered)) return passes(isSameSide(entered.normal)) ? positiveOrNoHit(line.exit) : kAtOnce;
+    return positiveOrNoHit(line.entry > 0 ? line.entry : line.exit);
+  }
+  double operator()(const TriangleShape& triangle) const { return flatDistance(triangle, triangle.areaNormal()); }
+  double operator()(const PlaneShape& plane) const { return flatDistance(plane, plane.unitNormal); }
+
+  template <class Flat>
+  double flatDistance(const Flat& shape, const dvec3& normal) const {
+    if (startsHere || (oneSided && dot(ray.direction, normal) > 0)) return kNoHit;
+    const bool isInPlane = origin && shape.lineDistance(ray) != kNoHit && isInPlaneOfOrigin(FlatSurface(shape));
+    if (!isInPlane) return shape.distance(ray);
+    return passes(isSameSide(normal)) ? kNoHit : kAtOnce;
+  }
+
+  bool isInPlaneOfOrigin(const FlatSurface& surface) const {
+    const std::optional<FlatSurface> start = flatOrigin(*origin, ray);
+    return start && areCoplanar(*start, surface);
+  }
+  bool isSameSide(const dvec3& normal) const {
+    return (dot(ray.direction, normal) < 0) == (dot(ray.direction, ray.originNormal) < 0);
+  }
+  bool passes(bool isSameSide) const { return isSameSide ? passesSameSide : passesOtherSide; }
+};
+
+// Returns the cosine of the angle between a ray and the normal of a flat shape that it hits at distance t; 0 for
+// others.
+struct FlatCosine {
+  const Ray& ray;
+  double t;
+
+  double operator()(const TriangleShape& triangle) const { return of(normalize(triangle.areaNormal())); }
+  double operator()(const PlaneShape& plane) const { return of(plane.unitNormal); }
+  double operator()(const BoxShape& box) const {
+    const BoxShape::Crossings line = box.crossings(ray);
+    const bool enters = std::abs(t - line.entry) <= std::abs(t - line.exit);
+    return of(enters ? line.entryNormal(ray) : line.exitNormal(ray));
+  }
+  double operator()(const SphereShape&) const { return 0; }
+  double operator()(const ConeShape&) const { return 0; }
+
+  double of(const dvec3& normal) const { return std::abs(dot(normal, ray.direction)); }
+};
+
+bool hasEmissivePrimitive(const scene::Scene& scene) {
+  return std::ranges::any_of(scene.primitives, [&](const scene::Primitive& primitive) {
+    return isEmissive(scene.materials[primitive.material]);
+  });
+}
+
+}  // namespace
+
+Counters& Counters::operator+=(const Counters& other) {
+  samples += other.samples;
+  cameraRays += other.cameraRays;
+  bounceRays += other.bounceRays;
+  cameraHits += other.cameraHits;
+  reflectedRays += other.reflectedRays;
+  refractedRays += other.refractedRays;
+  shadowRays += other.shadowRays;
+  vertices += other.vertices;
+  volumeFaults += other.volumeFaults;
+  traversalSteps += other.traversalSteps;
+  return *this;
+}
+
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings)
+    : Tracing(scene, settings, scene.camera ? dvec3(scene.camera->from) : dvec3(0)) {}
+
+Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye)
+    : scene_(&scene), settings_(settings), eye_(eye) {
+  const bool tracesReplicas = settings.execution.replicas > 0;
+  const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
+  std::vector<Bounds> boxes;
+  std::vector<std::uint32_t> bounded;
+  std::vector<std::uint32_t> unbounded;
+  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
+    if (!isEverHit(scene, scene.primitives[i])) continue;
+    const std::optional<Bounds> bounds = boundsOf(scene, scene.primitives[i]);
+    (bounds ? bounded : unbounded).push_back(i);
+    if (bounds) boxes.push_back(*bounds);
+  }
+  const bool whitted = settings.image.integrator == render::Integrator::whitted;
+  const auto isCrossed = [&](const scene::Material& material) { return transmits(material, whitted); };
+  if (tracesReplicas || std::ranges::any_of(scene.materials, isCrossed)) pad(boxes, eye_);
+  scene::Coincidences coincidences;
+  if (hasEmissivePrimitive(scene)) coincidences = scene::findCoincidences(scene);
+  behindReach_ = double{coincidences.behindReach};
+  const auto add = [&](std::uint32_t primitive) {
+    const scene::Material& material = scene.materials[scene.primitives[primitive].material];
+    addItem(scene, primitive, settings.image.oneSided && material.opaque,
+            behindReach_ > 0 && coincidences.behind[primitive]);
+  };
+
+  items_.reserve(scene.primitives.size());
+  itemOf_.resize(scene.primitives.size());
+  const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint ||
+                              bounded.size() > kBruteForceLimit;
+  if (accel == render::AccelKind::bvh && wantsHierarchy) {
+    hierarchy_ = buildHierarchy(boxes, settings.structure.bvhSplit);
+    for (const std::uint32_t item : hierarchy_.order) add(bounded[item]);
+  } else {
+    for (const std::uint32_t primitive : bounded) add(primitive);
+  }
+  if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
+  if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
+  for (const std::uint32_t primitive : unbounded) add(primitive);
+}
+
+void Tracing::setEye(const dvec3& eye) {
+  if (settings_.execution.replicas > 0) {
+    *this = Tracing(*scene_, settings_, eye);
+  } else {
+    eye_ = eye;
+  }
+}
+
+void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided, bool behind) {
+  const scene::Primitive& primitive = scene.primitives[index];
+  const scene::Material& material = scene.materials[primitive.material];
+  const bool thinWalled = material.surface && !material.surface->hasVolume();
+  const bool whitted = settings_.image.integrator == render::Integrator::whitted;
+  itemOf_[index] = static_cast<std::uint32_t>(items_.size());
+  items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), isEmissive(material),
+                    transmits(material, whitted), thinWalled, behind, primitive.material, index});
+}
+
+double Tracing::distance(const Item& item, const Ray& ray) const {
+  const bool startsHere = item.primitive == ray.originPrimitive;
+  const bool startsElsewhere = !startsHere && ray.originPrimitive != kNoPrimitive;
+  const Item* const origin = startsElsewhere ? &items_[itemOf_[ray.originPrimitive]] : nullptr;
+  const bool isContinued = origin && item.transmits && item.material == origin->material;
+  bool passesSameSide = true;
+  bool passesOtherSide = true;
+  if (origin && ray.crosses && ray.contact != Contact::back) {
+    const bool isBehind = item.transmits && item.primitive < origin->primitive;
+    passesSameSide = isBehind || isContinued;
+    passesOtherSide = isBehind || (isContinued && item.thinWalled);
+  } else if (origin && !ray.crosses && ray.contact != Contact::none) {
+    passesSameSide = passesOtherSide = isContinued || (ray.contact == Contact::beyond && !item.transmits);
+  }
+  return std::visit(
+      HitDistance{ray, startsHere, item.oneSided, origin ? &origin->shape : nullptr, passesSameSide, passesOtherSide},
+      item.shape);
+}
+
+bool Tracing::passes(const Item& item, const Ray& ray) const {
+  return item.transparent && !isThere(*scene_, item.primitive, ray);
+}
+
+double Tracing::comparedDistance(const Item& item, const Ray& ray, double t) const {
+  if (!item.behind || t == kNoHit) return t;
+  if (isAtOnce(t)) return 2 * t;
+  const double cosine = std::visit(FlatCosine{ray, t}, item.shape);
+  const dvec3 origin = abs(ray.origin);
+  const double reach = std::max({behindReach_, origin.x, origin.y, origin.z});
+  return cosine > 0 ? std::min(t + 2 * kCoplanar * reach / cosine, kNoHit / 2) : t;
+}
+
+Hit Tracing::closest(const Ray& ray, Counters& counters) const {
+  Hit nearest;
+  Candidate best;
+  visitItems(ray, best.distance, counters, [&](const Item& item) {
+    const double t = distance(item, ray);
+    const Candidate found = candidate(item, ray, t);
+    if (!(found < best) || t == kNoHit || passes(item, ray)) return false;
+    best = found;
+    nearest = {t, item.primitive};
+    return false;
+  });
+  return nearest;
+}
+
+bool Tracing::containsLight(const Item& item, const Ray& ray, double t, const RayEnd& end, double fraction) const {
+  if (!end.point) return false;
+  const LightMargin margin(ray, end.distance, *end.point, eye_, fraction);
+  const bool startsHere = item.primitive == ray.originPrimitive;
+  return std::visit([&](const auto& shape) { return margin.contains(shape, t, startsHere); }, item.shape);
+}
+
+std::optional<bool> Tracing::hidesEmitter(const Item& item, double t, const Item& light, double lightDistance) const {
+  if (!item.emits || !coincide(item.shape, light.shape)) return std::nullopt;
+  return t < lightDistance || (t == lightDistance && item.primitive < light.primitive);
+}
+
+bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {
+  const Item* const light = itemOf(end.light);
+  bool occluded = false;
+  visitItems(ray, end.distance, counters, [&](const Item& item) {
+    if (&item == light) return false;
+    const double t = distance(item, ray);
+    if (t == kNoHit || passes(item, ray)) return false;
+    const std::optional<bool> hides = light ? hidesEmitter(item, t, *light, distance(*light, ray)) : std::nullopt;
+    occluded = hides.value_or(t < end.distance && !containsLight(item, ray, t, end, kLightMargin));
+    return occluded;
+  });
+  return occluded;
+}
+
+}  // namespace candela::reference

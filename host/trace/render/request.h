@@ -1,0 +1,36 @@
+// A request for a render, which the scene's own settings and the defaults complete.
+#pragma once
+#include <cstdint>
+#include <optional>
+
+#include "host/scene/scene.h"
+#include "host/trace/render/settings.h"
+
+namespace candela::render {
+
+/// A request; absent members are taken from the scene, else from the defaults.
+struct RenderRequest {
+  /// Samples per pixel; 0: one sample through the pixel's origin, without antialiasing. Default: 16.
+  std::optional<std::uint32_t> sampleCount;
+  std::optional<Extent> size;              ///< default: the resolution of the scene's camera
+  std::optional<AccelKind> accel;          ///< default: BVH
+  std::optional<std::uint32_t> maxDepth;   ///< default: defaultMaxDepth()
+  std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
+  ImageChoices image;
+  StructureChoices structure;
+  ExecutionSettings execution;
+};
+
+/// Returns the settings of a render of `scene`, which must have a camera. An acceleration structure that only the scene
+/// requests is a preference: see StructureSettings::accelIsPreference.
+RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
+
+/// Returns the request that has these settings with any scene.
+RenderRequest requestOf(const RenderSettings& settings);
+
+/// Throws UsageError if the settings select the Whitted tracer, and the scene has lights or materials that it does not
+/// have: point lights with fall-off, spot and directional lights, materials without Whitted coefficients; and if they
+/// select a Backdrop that the integrator does not have. Every session requires this.
+void requireIntegrator(const scene::Scene& scene, const RenderSettings& settings);
+
+}  // namespace candela::render

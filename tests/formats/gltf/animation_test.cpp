@@ -1,0 +1,100 @@
+// The first animation at a time: interpolation by hand.
+#include "host/formats/gltf/animation.h"
+
+#include "tests/formats/gltf/gltf_file.h"
+
+namespace candela::gltf {
+namespace {
+
+/// A triangle whose node is animated by one channel with key frames at 1 and 3 seconds.
+GltfFile animated(const char* path, const std::vector<float>& output, const char* type, std::size_t components,
+                  const char* interpolation) {
+  GltfFile file = triangleFile();
+  const std::size_t times = file.vectors({1, 3}, "SCALAR", 1);
+  const std::size_t values = file.vectors(output, type, components);
+  file.root["animations"] = {
+      {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", path}}}}}},
+       {"samplers", {{{"input", times}, {"output", values}, {"interpolation", interpolation}}}}}};
+  return file;
+}
+
+glm::vec3 originAt(const GltfFile& file, std::optional<double> seconds) {
+  return sceneOf(file, {.time = seconds}).meshes.at(0).positions.at(0);
+}
+
+}  // namespace
+
+TEST_CASE("translations are interpolated between key frames and held outside them") {
+  const GltfFile linear = animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR");
+  CHECK(originAt(linear, std::nullopt) == glm::vec3(0));
+  CHECK(originAt(linear, 0) == glm::vec3(0, 0, 2));
+  CHECK(originAt(linear, 1.5) == glm::vec3(2, 0, 2));
+  CHECK(originAt(linear, 99) == glm::vec3(8, 0, 2));
+  const GltfFile step = animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "STEP");
+  CHECK(originAt(step, 2.9) == glm::vec3(0, 0, 2));
+  CHECK(originAt(step, 3) == glm::vec3(8, 0, 2));
+}
+
+TEST_CASE("cubic splines have tangents, which count by the length of the interval") {
+  // In-tangent, value, out-tangent of each frame. At the middle: (v0 + v1)/2 + duration (out0 - in1)/8.
+  const GltfFile file = animated("translation", {9, 9, 9, 0, 0, 0, 4, 0, 0, 0, 4, 0, 8, 0, 0, 9, 9, 9}, "VEC3", 3,
+                                 "CUBICSPLINE");
+  CHECK(originAt(file, 1) == glm::vec3(0));
+  CHECK(originAt(file, 2) == glm::vec3(4 + 1, -1, 0));
+  CHECK(originAt(file, 3) == glm::vec3(8, 0, 0));
+}
+
+TEST_CASE("rotations are interpolated on the sphere, along the shorter way") {
+  const float a = std::sqrt(0.5f);
+  const GltfFile file = animated("rotation", {0, 0, 0, 1, 0, 0, -a, -a}, "VEC4", 4, "LINEAR");
+  const glm::vec3 x = sceneOf(file, {.time = 2}).meshes.at(0).positions.at(1);
+  CHECK(glm::distance(x, glm::vec3(a, a, 0)) < 1e-6f);  // half of 90 degrees
+  const float quarter = glm::radians(22.5f);            // where the chord between the quaternions would be 21.6 degrees
+  const glm::vec3 sooner = sceneOf(file, {.time = 1.5}).meshes.at(0).positions.at(1);
+  CHECK(glm::distance(sooner, glm::vec3(std::cos(quarter), std::sin(quarter), 0)) < 1e-6f);
+}
+
+TEST_CASE("an animation is chosen by its name, else by its index, and the first one by default") {
+  GltfFile file = animated("translation", {1, 0, 0, 1, 0, 0}, "VEC3", 3, "STEP");
+  nlohmann::json other = file.root["animations"][0];
+  other["samplers"][0]["output"] = file.vectors({2, 0, 0, 2, 0, 0}, "VEC3", 3);
+  other["name"] = "Walk";
+  file.root["animations"].push_back(other);
+  other["samplers"][0]["output"] = file.vectors({3, 0, 0, 3, 0, 0}, "VEC3", 3);
+  other["name"] = "0";
+  file.root["animations"].push_back(other);
+  const auto x = [&](const std::optional<std::string>& animation) {
+    return sceneOf(file, {.time = 1, .animation = animation}).meshes.at(0).positions.at(0).x;
+  };
+  CHECK(x(std::nullopt) == 1);
+  CHECK(x("Walk") == 2);
+  CHECK(x("1") == 2);
+  CHECK(x("0") == 3);
+  CHECK_THROWS_WITH(x("Run"),
+                    Catch::Contains("no animation \"Run\"; the file has the animations 0, 1 \"Walk\", 2 \"0\""));
+  CHECK(sceneOf(file, {.time = 1}).hash != sceneOf(file, {.time = 1, .animation = "Walk"}).hash);
+}
+
+TEST_CASE("weights of morph targets are animated") {
+  GltfFile file = animated("weights", {0, 0, 1, 0.5f}, "SCALAR", 1, "LINEAR");
+  file.primitive()["targets"] = {{{"POSITION", file.positions({4, 0, 0, 0, 0, 0, 0, 0, 0})}},
+                                 {{"POSITION", file.positions({0, 8, 0, 0, 0, 0, 0, 0, 0})}}};
+  CHECK(originAt(file, 2) == glm::vec3(2, 2, 0));
+}
+
+TEST_CASE("a time without an animation causes a warning") {
+  CHECK(warns(load(triangleFile(), {.time = 1}), "time has no effect: the file has no animation"));
+  CHECK_FALSE(warns(load(triangleFile()), "time has"));
+  CHECK_FALSE(warns(load(animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR"), {.time = 1}), "time has"));
+}
+
+TEST_CASE("an animated node has no matrix, and channels without a node are skipped") {
+  GltfFile file = animated("translation", {0, 0, 2, 8, 0, 2}, "VEC3", 3, "LINEAR");
+  file.root["nodes"][0]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  CHECK(errorsOf(file.text()).empty());
+  CHECK(errorsOf(file.text(), {.time = 1}).find("/nodes/0/matrix: an animated node") != std::string::npos);
+  file.root["animations"][0]["channels"][0]["target"].erase("node");
+  CHECK(errorsOf(file.text(), {.time = 1}).empty());
+}
+
+}  // namespace candela::gltf
