@@ -1,5 +1,5 @@
 # The files of `cmake --install`: the program, and the libraries of the renderer with their headers, for other projects:
-#   find_package(candela REQUIRED)
+#   find_package(candela 0.4 REQUIRED)
 #   target_link_libraries(mine PRIVATE candela::candela)
 include(CMakePackageConfigHelpers)
 
@@ -7,7 +7,8 @@ include(CMakePackageConfigHelpers)
 add_library(candela_all INTERFACE)
 add_library(candela::candela ALIAS candela_all)
 set_target_properties(candela_all PROPERTIES EXPORT_NAME candela)
-target_link_libraries(candela_all INTERFACE candela_formats candela_scene candela_image candela_film candela_generate candela_reference candela_device candela_job)
+target_link_libraries(candela_all INTERFACE candela_formats candela_scene candela_image candela_film candela_generate candela_reference candela_device candela_job candela_verify)
+target_include_directories(candela_all INTERFACE $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
 
 get_property(libraries GLOBAL PROPERTY CANDELA_EXPORTED)
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/candela)
@@ -18,6 +19,7 @@ foreach(folder ${CANDELA_LIBRARY_FOLDERS} scene/coincidence trace/reference/roun
   file(GLOB headers ${PROJECT_SOURCE_DIR}/host/${folder}/*.h)
   install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela/host/${folder} COMPONENT development)
 endforeach()
+install(DIRECTORY include/candela DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 install(DIRECTORY lists DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/candela COMPONENT development FILES_MATCHING PATTERN "*.h")
 
 # The libraries that host/formats/gltf was built with, if any.

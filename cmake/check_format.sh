@@ -23,4 +23,4 @@ if [ "${1-}" = --fix ]; then
 else
   set -- --dry-run --Werror --ferror-limit=1
 fi
-find host lists tests \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' \) -exec "$formatter" "$@" {} +
+find host include lists tests \( -name '*.cpp' -o -name '*.h' -o -name '*.hpp' \) -exec "$formatter" "$@" {} +

@@ -21,6 +21,13 @@ endif()
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/consumer -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
     -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
+# Another minor version is refused.
+file(WRITE ${WORK}/older/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\nproject(older LANGUAGES CXX)\nfind_package(candela 0.3 REQUIRED)\n")
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/older -B ${WORK}/older/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+                        -DCMAKE_CXX_COMPILER=${COMPILER} RESULT_VARIABLE accepted ERROR_VARIABLE message OUTPUT_QUIET)
+if(accepted EQUAL 0 OR NOT message MATCHES "not.*compatible")
+  message(FATAL_ERROR "a project that requires version 0.3 was not refused: ${message}")
+endif()
 
 set(ENV{VK_DRIVER_FILES} ${ICD})
 set(ENV{VK_ICD_FILENAMES} ${ICD})
@@ -29,4 +36,5 @@ run(${WORK}/build/consumer ${scene} cpu ${WORK}/cpu.exr ${WORK}/cpu.film.exr)
 run(${WORK}/build/consumer ${scene} cpu ${WORK}/again.exr ${WORK}/cpu.film.exr)
 run(${CMAKE_COMMAND} -E compare_files ${WORK}/cpu.exr ${WORK}/again.exr)
 run(${WORK}/build/consumer ${scene} llvmpipe ${WORK}/device.exr ${WORK}/device.film.exr)
+run(${WORK}/build/verdict llvmpipe)
 run(${WORK}/prefix/bin/candela compare ${WORK}/cpu.exr ${WORK}/device.exr --tolerance 1e-4)
