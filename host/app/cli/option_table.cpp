@@ -47,6 +47,7 @@ std::string commandLineOf(const Arguments& arguments, OptionGroup group, bool on
 }
 
 std::string optionWords(std::string_view name, std::string_view value) {
+  if (name == "output") return "-o";
   const std::string words = "--" + std::string(name);
   const auto found = std::ranges::find(optionTable(), words, &Option::name);
   const bool isFlag = found != optionTable().end() && found->isFlag();

@@ -61,7 +61,7 @@ std::vector<Output> outputsOf(const Arguments& arguments) {
   }
   if (const auto* scene = findPart<WrittenSceneArguments>(arguments)) outputs.push_back({scene->generatedFile, "-o"});
   if (const auto* images = findPart<ImageFileArguments>(arguments)) {
-    for (const fs::path& image : images->outputs) outputs.push_back({image, "-o", true});
+    for (const fs::path& image : images->outputs) outputs.push_back({image, settingWords("output"), true});
   }
   const auto* const render = std::get_if<RenderArguments>(&arguments);
   if (render != nullptr) addFilm(render->film.checkpoint, settingWords("checkpoint"), outputs);

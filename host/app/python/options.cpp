@@ -187,6 +187,7 @@ cli::Arguments anyArgumentsOf(const FunctionOptions& function, const py::kwargs&
 }
 
 std::string keywordWords(std::string_view name, std::string_view value) {
+  if (name == "output") return "an image";  // files of images have no keyword
   const std::string option = "--" + std::string(name);
   const auto found = std::ranges::find(cli::optionTable(), option, &cli::Option::name);
   if (found == cli::optionTable().end()) return std::string(name);

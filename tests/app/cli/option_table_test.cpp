@@ -149,6 +149,19 @@ TEST_CASE("every option has the documented name, value and default") {
   }
 }
 
+TEST_CASE("each command has arguments of its own, and an option reads those of no other command") {
+  for (const CommandInfo& info : commandTable()) {
+    const Arguments arguments = defaultArguments(info.command);
+    CHECK(commandOf(arguments) == info.command);
+    for (const Option& option : optionTable()) {
+      INFO(info.name << " " << option.name());
+      if (option.isFor(info.command)) CHECK(valuesOf(arguments, option.name()) == option.show(arguments));
+    }
+  }
+  CHECK_THROWS_AS(find("--partial").show(RenderArguments()), std::bad_variant_access);
+  CHECK(valuesOf(RenderArguments(), "--partial").empty());
+}
+
 TEST_CASE("no command has two options with the same name") {
   for (const CommandInfo& info : commandTable()) {
     std::set<std::string> names;

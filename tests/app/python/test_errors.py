@@ -81,13 +81,13 @@ class Errors(FolderTest):
         read = [(film, file) for film in films for file in (scene_file, sky)] + [(film, film_file) for film in opened]
         for film, file in read:
             with self.subTest(file.name):
-                with self.assertRaisesRegex(candela.UsageError, "this file is read by the command, and -o would overwrite it"):
+                with self.assertRaisesRegex(candela.UsageError, "this file is read by the command, and an image would overwrite it"):
                     film.save(file)
                 with self.assertRaisesRegex(candela.UsageError, "checkpoint would overwrite it"):
                     film.save(checkpoint=file)
         with self.assertRaisesRegex(candela.UsageError, "checkpoint would overwrite it"):
             candela.render(scene, **SMALL, device="cpu", checkpoint=sky)
-        with self.assertRaisesRegex(candela.UsageError, "-o and checkpoint would both write this file"):
+        with self.assertRaisesRegex(candela.UsageError, "an image and checkpoint would both write this file"):
             films[0].save(self.folder / "b.exr", checkpoint=self.folder / "b.exr")
         self.assertEqual(before, {file: file.read_bytes() for file in self.folder.iterdir()})
         films[0].save(self.folder / "b.exr", checkpoint=self.folder / "c.exr")
