@@ -49,15 +49,15 @@ void startPath(inout Path path, SampleKey key, uvec2 pixel) {
 
 // Returns the emission of a surface that BSDF sampling hit, weighted against light sampling (multiple importance
 // sampling).
-vec3 emissionFound(Path path, Surface surface, Material material, float t) {
+vec3 emissionFound(Path path, Surface surface, vec3 emission, float t) {
   bool fromBehind = dot(surface.outward, path.ray.direction) >= 0.0;
   if (kOneSided && isKind(surface.kind, kKindTriangle) && fromBehind) return vec3(0.0);
   float weight = 1.0;
   if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
     weight = powerHeuristic(path.pdf, lightPdf(path.ray, surface, t));
   }
-  noteEmission(material.emission, weight);
-  return material.emission * weight;
+  noteEmission(emission, weight);
+  return emission * weight;
 }
 
 // Returns the background's radiance, weighted against light sampling; for camera rays that of the backdrop.
@@ -95,11 +95,10 @@ LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKe
   return sampleLight(light, surface, toUnit(numbers).yz);
 }
 
-// Stage of the specification: samples one entry of the light table, and prepares the ray that finds whether it is visible.
-// `numbers` are those of the light choice and the three that follow.
+// Stage of the specification, if some lobe is smooth: samples one entry of the light table, and prepares the ray that
+// finds whether it is visible. `numbers` are those of the light choice and the three that follow.
 void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading, Material material,
            uvec4 numbers, inout Work work) {
-  if (!hasSmoothLobe(material)) return;
   Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
   noteLightChoice(numbers.x >> 8);
   LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth, work);
@@ -157,8 +156,9 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   return continues;
 }
 
-// Stage of the specification: plays Russian roulette. Returns true if the path survives. For the same number of rays, the square root of the
-// throughput gives less noise than the throughput itself (docs/performance-journal.md, "Russian roulette").
+// Stage of the specification: plays Russian roulette. Returns true if the path survives. For the same number of rays, the
+// square root of the throughput gives less noise than the throughput itself (docs/performance-journal.md, "Russian
+// roulette").
 bool roulette(inout Path path, float number) {
   if (path.depth <= constants.rouletteStart) return true;
   float survival = min(1.0, sqrt(largest(path.throughput)));
@@ -181,28 +181,15 @@ bool arrive(inout Path path, Hit hit, SampleKey key, inout RayCounts counts) {
   return true;
 }
 
-// Returns the material at the surface that the path's ray has hit. `surface` becomes that of the layer which scatters.
-Material materialOf(Path path, SampleKey key, inout Surface surface) {
-  Material material = materialAt(surface);
-  if (kHasEmission && kHasCoat && material.isSurface) {
-    float cosine = abs(dot(surface.outward, path.ray.direction));
-    material.emission *= 1.0 - coatReflectance(material.surface.coatWeight, cosine);
-  }
-  if (kHasAnisotropy) alignAnisotropy(surface, material);
-  if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
-  return material;
-}
-
 // Stage of the specification: adds the emission of the surface.
-void emit(inout Path path, Surface surface, Material material, float t) {
-  vec3 found = path.throughput * emissionFound(path, surface, material, t);
+void emit(inout Path path, Surface surface, vec3 emission, float t) {
+  vec3 found = path.throughput * emissionFound(path, surface, emission, t);
   path.radiance += limitedContribution(found, path.depth - 1u);
 }
 
+// Notes what layers and mattes show of the hit, in renders that have any.
 void noteLayers(Path path, Surface surface, Material material, float t) {
-  if ((kLayerSums != 0u || kListsHits && kThroughSpecular) && (path.depth == 1u || kThroughSpecular)) {
-    noteFirstHit(path.ray, surface, material, t, path.depth, path.radiance);
-  }
+  if (path.depth == 1u || kThroughSpecular) noteFirstHit(path.ray, surface, material, t, path.depth, path.radiance);
   if (kSumsScatteredOnce && path.depth == 2u) noteScatteredOnce(path.radiance);
 }
 
@@ -216,10 +203,16 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
-  Material material = materialOf(path, key, surface);
+  Material material = materialAt(surface);
+  if (kHasEmission && kHasCoat && material.isSurface) {
+    float cosine = abs(dot(surface.outward, path.ray.direction));
+    material.emission *= 1.0 - coatReflectance(material.surface.coatWeight, cosine);
+  }
+  if (kHasAnisotropy) alignAnisotropy(surface, material);
+  if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
   noteSurface(path.ray, surface, hit.t);
-  if (kHasEmission) emit(path, surface, material, hit.t);
-  noteLayers(path, surface, material, hit.t);
+  if (kHasEmission) emit(path, surface, material.emission, hit.t);
+  if (kLayerSums != 0u || kListsHits && kThroughSpecular) noteLayers(path, surface, material, hit.t);
   if (path.depth >= constants.maxDepth) return false;
 
   Shading shading = shadingAt(surface, -path.ray.direction);
@@ -229,7 +222,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   prepareLobes(material, shading.wo, shading.outside);
   uvec4 choices = uvec4(0u);
   if (kHasLights || kHasMixtures) choices = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
-  if (kHasLights) light(shadow, path, key, surface, shading, material, choices, work);
+  if (kHasLights && hasSmoothLobe(material)) light(shadow, path, key, surface, shading, material, choices, work);
   counts.shadow += shadow.wanted ? 1u : 0u;
   vec4 numbers = toUnit(sampleGroup(key, vertexGroup(path.depth, kDimensionBsdfU)));
   if (!scatter(path, surface, shading, material, toUnit(choices.w), numbers.xy, decisions)) return false;
