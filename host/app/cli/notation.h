@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host/app/cli/arguments.h"
+#include "host/base/tcp_client.h"
 #include "host/trace/render/setting_names.h"
 
 namespace candela::cli {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "host/app/cli/arguments.h"
+#include "host/app/cli/command_arguments.h"
 
 namespace candela::manuals {
 
