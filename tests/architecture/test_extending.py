@@ -60,7 +60,7 @@ BOOST = (
     ("host/trace/reference/surface_bsdf.cpp", "const double specular = ", "const double specular = double{surface.specularBoost} * "),
     ("shaders/surface.glsl", "  float diffuse = luminance(", "  if (kHasBoost) specular *= s.specularBoost;\n  float diffuse = luminance("),
     ("host/formats/gltf/gltf_material.h", "  double clearcoat = 0;", "  double specularBoost = 1;\n  double clearcoat = 0;"),
-    ("host/formats/gltf/material_extensions.cpp", "  result.clearcoat = ",
+    ("host/formats/gltf/gltf_material.cpp", "  result.clearcoat = ",
      '  result.specularBoost = atLeastZero(*coat, "specularBoost", 1);\n  result.clearcoat = '),
     ("host/formats/gltf/material_mapping.cpp", "  surface.coatWeight = ",
      "  surface.specularBoost = static_cast<float>(source.specularBoost);\n  surface.coatWeight = "))

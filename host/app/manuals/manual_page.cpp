@@ -3,15 +3,46 @@
 
 #include <fmt/format.h>
 
+#include <string>
+
 #include "host/app/cli/commands.h"
 #include "host/app/cli/help_sections.h"
 #include "host/app/cli/option_table.h"
-#include "host/app/manuals/roff.h"
 #include "host/base/version.h"
 #include "host/scene/generate/kinds.h"
 
 namespace candela::manuals {
 namespace {
+
+/// Returns text that roff prints literally: without requests and escapes, and with minus signs instead of hyphens.
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char character : text) {
+    if (character == '\\') {
+      out += "\\e";
+    } else if (character == '-') {
+      out += "\\-";
+    } else {
+      out += character;
+    }
+  }
+  return out.starts_with('.') || out.starts_with('\'') ? "\\&" + out : out;
+}
+
+/// Returns escaped text in which words between backquotes are bold.
+std::string withLiterals(const std::string& text) {
+  std::string out;
+  bool isLiteral = false;
+  for (const char character : escaped(text)) {
+    if (character == '`') {
+      isLiteral = !isLiteral;
+      out += isLiteral ? "\\fB" : "\\fR";
+    } else {
+      out += character;
+    }
+  }
+  return out;
+}
 
 std::string capitalised(std::string phrase) {
   if (!phrase.empty() && phrase.front() >= 'a' && phrase.front() <= 'z') phrase.front() += 'A' - 'a';

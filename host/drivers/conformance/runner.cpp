@@ -5,14 +5,115 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <deque>
 #include <list>
 #include <map>
+#include <optional>
+#include <random>
+#include <vector>
 
-#include "host/drivers/conformance/batches.h"
-#include "host/drivers/conformance/child_work.h"
+#include "host/base/errors.h"
+#include "host/base/stopwatch.h"
+#include "host/drivers/child_process.h"
+#include "host/drivers/conformance/case.h"
+#include "host/drivers/conformance/status.h"
+#include "host/drivers/conformance/workbench.h"
+#include "host/trace/vulkan/device_info.h"
+#include "host/trace/vulkan/validation.h"
 
 namespace candela::conformance {
 namespace {
+
+/// The cases of one child process, in the order in which they run.
+struct Batch {
+  std::vector<const Case*> cases;
+  bool isSecondAttempt = false;
+};
+
+// Fisher and Yates' shuffle. std::shuffle may differ between standard libraries.
+template <class Items>
+void shuffleItems(Items& items, std::mt19937& random) {
+  for (std::size_t left = items.size(); left > 1; --left) std::swap(items[left - 1], items[random() % left]);
+}
+
+/// Returns one batch for each group. The order of groups and of the cases within each is that of `cases`, or one that
+/// the seed `shuffle` determines.
+std::deque<Batch> divide(const std::vector<const Case*>& cases, std::optional<std::uint32_t> shuffle) {
+  std::deque<Batch> batches;
+  for (const Case* const one : cases) {
+    const auto found = std::ranges::find_if(batches,
+                                            [&](const Batch& b) { return b.cases.front()->group == one->group; });
+    if (found == batches.end()) {
+      batches.push_back({{one}});
+    } else {
+      found->cases.push_back(one);
+    }
+  }
+  if (!shuffle) return batches;
+  std::mt19937 random(*shuffle);
+  shuffleItems(batches, random);
+  for (Batch& batch : batches) shuffleItems(batch.cases, random);
+  return batches;
+}
+
+/// A message of a child. The one before a case has no status.
+struct ChildNote {
+  std::optional<Status> status;
+  std::string text;
+  double seconds = 0;
+};
+
+Status statusOf(Outcome outcome) {
+  if (outcome == Outcome::skip) return Status::skip;
+  return outcome == Outcome::pass ? Status::pass : Status::fail;
+}
+
+ChildNote ask(const Case& question, Workbench& workbench) {
+  try {
+    Finding finding = question.run(workbench);
+    return {statusOf(finding.outcome), std::move(finding.text)};
+  } catch (const DeviceLostError& error) {
+    return {Status::crash, error.what()};
+  } catch (const std::exception& error) {
+    return {Status::fail, error.what()};
+  }
+}
+
+void addValidation(ChildNote& note) {
+  for (const std::string& message : vulkan::validationMessages()) {
+    note.status = Status::fail;
+    note.text += (note.text.empty() ? "" : "\n") + fmt::format("validation layer: {}", message);
+  }
+  vulkan::clearValidationMessages();
+}
+
+nlohmann::json toJson(const ChildNote& note) {
+  nlohmann::json json{{"text", note.text}, {"seconds", note.seconds}};
+  if (note.status) json["status"] = *note.status;
+  return json;
+}
+
+ChildNote noteFrom(const nlohmann::json& json) {
+  ChildNote note{{}, json.at("text").get<std::string>(), json.at("seconds").get<double>()};
+  if (json.contains("status")) note.status = json.at("status").get<Status>();
+  return note;
+}
+
+/// Runs the cases, and ends early after a device was lost, because it cannot run any more.
+void runInThisProcess(const std::vector<const Case*>& cases, const vulkan::DeviceInfo& device,
+                      const process::ChildProcess::Send& send) {
+  Workbench workbench(device);
+  for (const Case* const question : cases) {
+    send(toJson({}));
+    Stopwatch watch;
+    ChildNote note = ask(*question, workbench);
+    note.seconds = watch.lap();
+    addValidation(note);
+    send(toJson(note));
+    if (note.status == Status::crash) return;
+  }
+}
 
 using Clock = std::chrono::steady_clock;
 using process::ChildProcess;

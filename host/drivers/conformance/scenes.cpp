@@ -6,18 +6,96 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "embedded/cornell.h"
 #include "embedded/depth_of_field.h"
 #include "embedded/primitives.h"
 #include "host/base/errors.h"
-#include "host/drivers/conformance/material_scene.h"
 #include "host/formats/load_scene.h"
 #include "host/scene/environment/environment.h"
+#include "host/scene/generate/gltf_material.h"
 #include "host/scene/generate/kinds.h"
+#include "host/scene/generate/lathe.h"
 
 namespace candela::conformance {
 namespace {
+
+struct MaterialScene {
+  std::string_view name;
+  generate::MaterialFactors factors{};
+  bool hasTexture = false;            ///< the floor has an image as its base colour
+  std::string_view environment = {};  ///< as --env; empty: the default light of glTF
+};
+
+constexpr std::uint32_t kRings = 8;
+constexpr double kRadius = 1;
+constexpr std::uint32_t kTextureSide = 8;
+
+const std::array<MaterialScene, 11>& materialTable() {
+  static const std::array<MaterialScene, 11> table{{
+      {.name = "plastic", .factors = {.colour = {0.75, 0.1, 0.1}, .roughness = 0.4}},
+      {.name = "metal", .factors = {.colour = {1, 0.77, 0.34}, .metalness = 1, .roughness = 0.3}},
+      {.name = "conductor",
+       .factors = {.metalness = 1, .roughness = 0.2, .eta = {0.143, 0.375, 1.442}, .kappa = {3.983, 2.386, 1.603}}},
+      {.name = "thin_wall", .factors = {.colour = {0.3, 0.6, 0.9}, .roughness = 0.2, .transmission = 0.8}},
+      {.name = "absorbing_glass",
+       .factors = {.roughness = 0.1,
+                   .transmission = 1,
+                   .thickness = 2,
+                   .attenuation = {0.5, 0.9, 0.7},
+                   .attenuationDistance = 1}},
+      {.name = "dispersion",
+       .factors = {.roughness = 0.1, .transmission = 1, .ior = 1.8, .thickness = 2, .dispersion = 2}},
+      {.name = "coat",
+       .factors = {.colour = {0.1, 0.2, 0.6}, .roughness = 0.6, .clearcoat = 1, .clearcoatRoughness = 0.1}},
+      {.name = "sheen",
+       .factors = {.colour = {0.05, 0.08, 0.2}, .roughness = 0.7, .sheen = {0.8, 0.7, 0.9}, .sheenRoughness = 0.4}},
+      {.name = "thin_film",
+       .factors = {.colour = {0.03, 0.03, 0.03}, .roughness = 0.2, .film = 1, .filmThickness = 550}},
+      {.name = "texture", .factors = {.colour = {0.8, 0.8, 0.8}}, .hasTexture = true},
+      {.name = "environment", .factors = {.colour = {0.8, 0.7, 0.6}, .roughness = 0.5}, .environment = "sun:35,20,3"},
+  }};
+  return table;
+}
+
+// A coarse pattern without symmetry.
+std::vector<std::byte> texturePixels() {
+  std::vector<std::byte> pixels;
+  for (std::uint32_t i = 0; i < kTextureSide * kTextureSide * 3; ++i)
+    pixels.push_back(std::byte(40 + (i * 37 + i / 24 * 91) % 200));
+  return pixels;
+}
+
+std::vector<std::string_view> materialNames() {
+  std::vector<std::string_view> names;
+  for (const MaterialScene& scene : materialTable()) names.push_back(scene.name);
+  return names;
+}
+
+/// Returns the scene, or null if there is none of this name.
+const MaterialScene* materialScene(std::string_view name) {
+  const auto found = std::ranges::find(materialTable(), name, &MaterialScene::name);
+  return found == materialTable().end() ? nullptr : &*found;
+}
+
+/// Returns the file: a ball of the material on a floor.
+std::string textOf(const MaterialScene& scene) {
+  generate::GltfDocument document;
+  const std::size_t ball = document.addShape(generate::lathe(generate::sphereProfile(kRadius, kRings), 2 * kRings));
+  const std::size_t floor = document.addShape(generate::square(4, 3));
+  generate::GltfDocument::Json floorMaterial = generate::gltfMaterial({.colour = {0.6, 0.6, 0.55}, .roughness = 1});
+  if (scene.hasTexture) {
+    const std::size_t texture = document.addTexture(kTextureSide, kTextureSide, texturePixels());
+    floorMaterial["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+  }
+  document.addNode(ball, document.addMaterial(generate::gltfMaterial(scene.factors)), {0, kRadius, 0});
+  document.addNode(floor, document.addMaterial(floorMaterial), {0, 0, 0});
+  document.addCamera({0, 2.4, 4.5}, {0, 0.9, 0}, 40, 1);
+  return document.text();
+}
 
 constexpr std::string_view kMeshKind = "terrain";
 constexpr std::uint32_t kMeshSize = 24;

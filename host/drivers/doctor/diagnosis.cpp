@@ -7,15 +7,41 @@
 
 #include "host/base/setting_words.h"
 #include "host/drivers/doctor/caches.h"
+#include "host/drivers/doctor/check.h"
 #include "host/drivers/doctor/driver_check.h"
 #include "host/drivers/doctor/gpu_nodes.h"
 #include "host/drivers/doctor/known_faults.h"
-#include "host/drivers/doctor/loader.h"
 #include "host/drivers/doctor/resources.h"
 #include "host/trace/vulkan/device_choice.h"
+#include "host/trace/vulkan/loader_info.h"
+#include "host/trace/vulkan/validation.h"
 
 namespace candela::doctor {
 namespace {
+
+Check checkValidation(bool installed) {
+  const bool requested = vulkan::validationRequested();
+  Check check{"validation layer", Status::ok, "", ""};
+  if (installed) {
+    check.text = requested ? "installed, and on (CANDELA_VALIDATION)" : "installed; CANDELA_VALIDATION=1 turns it on";
+  } else if (requested) {
+    check = {"validation layer", Status::problem, "CANDELA_VALIDATION requests it, but it is not installed",
+             "apt-get install vulkan-validationlayers, or unset CANDELA_VALIDATION"};
+  } else {
+    check.text = "not installed; only tests of Candela need it";
+  }
+  return check;
+}
+
+/// The first check is that of the loader, and it is `ok` if the loader can be opened.
+Checks checkLoader() {
+  const std::optional<vulkan::LoaderInfo> loader = vulkan::findLoader();
+  if (!loader) {
+    return {{"Vulkan loader", Status::problem, "libvulkan.so.1 cannot be opened",
+             "apt-get install libvulkan1 mesa-vulkan-drivers"}};
+  }
+  return {{"Vulkan loader", Status::ok, "version " + loader->version, ""}, checkValidation(loader->hasValidation)};
+}
 
 void append(Checks& checks, Checks more) {
   for (Check& check : more) checks.push_back(std::move(check));

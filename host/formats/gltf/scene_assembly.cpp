@@ -6,19 +6,82 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "host/base/memory_budget.h"
 #include "host/formats/gltf/extensions.h"
+#include "host/formats/gltf/geometry.h"
 #include "host/formats/gltf/lights.h"
 #include "host/formats/gltf/material_mapping.h"
-#include "host/formats/gltf/skin.h"
-#include "host/formats/gltf/tangents.h"
+#include "host/formats/gltf/nodes.h"
 #include "host/formats/gltf/transform.h"
+#include "host/formats/loading/mikk_tangents.h"
 #include "host/formats/loading/scene_builder.h"
 #include "host/formats/loading/shrink_images.h"
+#include "host/scene/texture.h"
 
 namespace candela::gltf {
 namespace {
+
+/// For each joint, from the coordinates of the mesh at rest to those of the scene: its node's world transform times its
+/// inverse bind matrix. Throws JsonError.
+std::vector<glm::dmat4> jointMatrices(const Value& skin, const NodeTree& nodes, std::size_t nodeCount,
+                                      Accessors& accessors) {
+  const Value joints = skin.require("joints");
+  const std::optional<Value> bind = skin.find("inverseBindMatrices");
+  const std::vector<glm::mat4> inverses = bind ? accessors.read<glm::mat4>(*bind) : std::vector<glm::mat4>{};
+  if (bind && inverses.size() < joints.size()) {
+    bind->fail(fmt::format("{} matrices for {} joints", inverses.size(), joints.size()));
+  }
+  std::vector<glm::dmat4> matrices;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    const glm::dmat4& world = nodes.world(joints[i].indexInto("nodes", nodeCount));
+    matrices.push_back(bind ? world * glm::dmat4(inverses[i]) : world);
+  }
+  return matrices;
+}
+
+template <class Element>
+void repeat(std::vector<Element>& attribute, std::size_t vertex) {
+  if (attribute.empty()) return;
+  const Element value = attribute[vertex];
+  attribute.push_back(value);
+}
+
+/// Appends a copy of a vertex, apart from its tangent.
+void repeatVertex(Geometry& geometry, std::size_t vertex) {
+  scene::Mesh& mesh = geometry.mesh;
+  repeat(mesh.positions, vertex);
+  repeat(mesh.normals, vertex);
+  repeat(mesh.colours, vertex);
+  for (auto& set : mesh.texCoords) repeat(set, vertex);
+  for (auto& set : geometry.influences.joints) repeat(set, vertex);
+  for (auto& set : geometry.influences.weights) repeat(set, vertex);
+}
+
+/// Gives the mesh the tangents of scene::mikkTangents() for a texture. A vertex whose triangles have different tangents
+/// becomes several vertices.
+void addTangents(Geometry& geometry, const scene::TextureReference& texture) {
+  scene::Mesh& mesh = geometry.mesh;
+  const std::vector<glm::vec4> corners = scene::mikkTangents(mesh, texture);
+  mesh.tangents.assign(mesh.positions.size(), glm::vec4(0));  // w is 0 until a triangle sets the tangent
+  std::vector<std::uint32_t> nextCopy(mesh.positions.size(), 0);
+  for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+    std::uint32_t vertex = mesh.indices[i];
+    while (mesh.tangents[vertex].w != 0 && mesh.tangents[vertex] != corners[i] && nextCopy[vertex] != 0) {
+      vertex = nextCopy[vertex];
+    }
+    if (mesh.tangents[vertex].w != 0 && mesh.tangents[vertex] != corners[i]) {
+      nextCopy[vertex] = static_cast<std::uint32_t>(mesh.positions.size());
+      repeatVertex(geometry, vertex);
+      vertex = nextCopy[vertex];
+      nextCopy.push_back(0);
+      mesh.tangents.emplace_back(0);
+    }
+    mesh.tangents[vertex] = corners[i];
+    mesh.indices[i] = vertex;
+  }
+}
 
 constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // acceleration structures index no more
 

@@ -3,12 +3,52 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <span>
+#include <vector>
+
 #include "host/base/errors.h"
-#include "host/judge/explain/condition.h"
+#include "host/judge/explain/stages.h"
 #include "host/judge/explain/value_text.h"
+#include "host/scene/scene.h"
+#include "host/trace/render/path_trace.h"
 
 namespace candela::explain {
 namespace {
+
+/// Number of replicas that are compared with the exact path.
+constexpr std::uint32_t kReplicaCount = 16;
+
+Quantity* find(Stage& stage, const std::string& name) {
+  const auto found = std::ranges::find(stage.quantities, name, &Quantity::name);
+  return found == stage.quantities.end() ? nullptr : &*found;
+}
+
+// Up to the decision after which the replica is a different path.
+void addReplica(const std::vector<Stage>& replica, std::vector<Stage>& stages) {
+  for (std::size_t i = 0; i < std::min(replica.size(), stages.size()); ++i) {
+    for (const Quantity& quantity : replica[i].quantities) {
+      Quantity* const judged = find(stages[i], quantity.name);
+      const bool parts = quantity.kind == Quantity::Kind::decision && quantity.differs;
+      if (judged && parts) judged->undecidable = true;
+      if (parts) return;
+      if (judged) judged->spread = std::max(judged->spread, quantity.apart);
+    }
+  }
+}
+
+/// Sets the spread of every quantity of `stages`, and which decisions replicas take differently; differences are then
+/// judged by Quantity::allowed(). Without replicas nothing changes.
+void judgeByReplicas(std::span<const render::PathTrace> replicas, const render::PathTrace& reference,
+                     const scene::Scene& scene, std::vector<Stage>& stages) {
+  if (replicas.empty()) return;
+  for (const render::PathTrace& replica : replicas) addReplica(stagesOf(replica, reference, scene), stages);
+  for (Stage& stage : stages) {
+    for (Quantity& quantity : stage.quantities) {
+      if (quantity.kind == Quantity::Kind::number) quantity.differs = quantity.apart > quantity.allowed();
+    }
+  }
+}
 
 // Processes the quantities up to the decision at which the two paths diverge.
 void findDifferences(Explanation& result) {
