@@ -69,12 +69,6 @@ std::vector<std::byte> texturePixels() {
   return pixels;
 }
 
-std::vector<std::string_view> materialNames() {
-  std::vector<std::string_view> names;
-  for (const MaterialScene& scene : materialTable()) names.push_back(scene.name);
-  return names;
-}
-
 /// Returns the scene, or null if there is none of this name.
 const MaterialScene* materialScene(std::string_view name) {
   const auto found = std::ranges::find(materialTable(), name, &MaterialScene::name);
@@ -127,6 +121,12 @@ scene::Scene makeScene(const std::string& name) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> materialNames() {
+  std::vector<std::string_view> names;
+  for (const MaterialScene& scene : materialTable()) names.push_back(scene.name);
+  return names;
+}
 
 const scene::Scene& sceneNamed(const std::string& name) {
   static std::map<std::string, scene::Scene> scenes;

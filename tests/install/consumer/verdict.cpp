@@ -12,7 +12,7 @@
 // A lamp above a grey floor.
 candela::Scene lampAndFloor() {
   candela::Scene scene;
-  scene.camera = candela::Camera{.from = {0, 2, 5}, .at = {0, 1, 0}};
+  scene.camera = candela::Camera{.from = {0, 2, 5}, .at = {0, 2, 0}};
   scene.materials.resize(2);
   scene.materials[0].diffuse = candela::DiffuseLobe{.colour = {0.5f, 0.5f, 0.5f}};
   scene.materials[1].emission = {4, 4, 4};
