@@ -4,19 +4,59 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
 
 #include "host/app/cli/adaptive_report.h"
 #include "host/app/cli/bad_samples.h"
-#include "host/app/cli/film_options.h"
+#include "host/app/cli/option_table.h"
+#include "host/app/cli/settings_json.h"
 #include "host/base/counted.h"
 #include "host/base/hash_text.h"
 #include "host/base/report_head.h"
+#include "host/job/film_identity.h"
 
 namespace candela::cli {
 namespace {
 
+const Option* settingNamed(const std::string& name) { return findOption(Command::render, "--" + name); }
+
+bool isAbsent(const Option& option, const std::string& value) { return value.empty() || option.isDefault(value); }
+
 using nlohmann::ordered_json;
+
+/// Returns the option that gives a setting of FilmHeader::settings its value, e.g. "--max-depth 4" or "--one-sided".
+/// Returns nothing if the setting has the default of the option, or if no option gives it.
+std::optional<std::string> optionOf(const std::string& name, const std::string& value) {
+  if (name == job::kAntialiasing) return value == "off" ? std::optional<std::string>("--spp 0") : std::nullopt;
+  const Option* const option = settingNamed(name);
+  if (option == nullptr || isAbsent(*option, value)) return std::nullopt;
+  if (option->isFlag()) return option->name();
+  Arguments scratch = RenderArguments();
+  if (!option->apply(scratch, value)) return std::nullopt;
+  return fmt::format("{} {}", option->name(), shellQuoted(value));
+}
+
+/// Returns the settings of a film as reports of renders have them: see settingValue().
+ordered_json settingsJson(const std::map<std::string, std::string>& settings) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [name, value] : settings) {
+    const Option* const option = settingNamed(name);
+    ordered_json& member = json[settingKey(name)];
+    if (name == job::kAntialiasing) {
+      member = value != "off";
+    } else if (option == nullptr) {
+      member = value;
+    } else {
+      const bool isUnset = option->isFlag() && option->isDefault(value);
+      member = settingValue(*option, isUnset ? std::vector<std::string>{} : std::vector{value});
+    }
+  }
+  return json;
+}
 
 std::vector<std::string> textsOf(const std::vector<film::SampleBox>& boxes) {
   std::vector<std::string> texts;
