@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <fstream>
 
+#include "tests/base/temporary_folder.h"
+
 using candela::view::FileWatch;
 
 namespace {
@@ -13,7 +15,8 @@ void write(const std::filesystem::path& file, const std::string& text) { std::of
 }  // namespace
 
 TEST_CASE("a file has changed once it stays the same again") {
-  const std::filesystem::path file = std::filesystem::temp_directory_path() / "candela_file_watch_test";
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder / "watched";
   write(file, "a");
   FileWatch watch(file);
   CHECK(!watch.hasChanged());
@@ -29,5 +32,4 @@ TEST_CASE("a file has changed once it stays the same again") {
   write(file, "abcd");
   CHECK(!watch.hasChanged());
   CHECK(watch.hasChanged());
-  std::filesystem::remove(file);
 }

@@ -22,22 +22,15 @@ namespace {
 
 class MapFile {
  public:
-  explicit MapFile(const image::Image& image, const std::string& name = "map.pfm")
-      : folder_(std::filesystem::temp_directory_path() / ("candela-environment-" + std::to_string(counter_++))) {
-    std::filesystem::create_directories(folder_);
-    file_ = folder_ / name;
+  explicit MapFile(const image::Image& image, const std::string& name = "map.pfm") : file_(folder_ / name) {
     writeImage(file_, image, {});
   }
-  ~MapFile() { std::filesystem::remove_all(folder_); }
-  MapFile(const MapFile&) = delete;
-  MapFile& operator=(const MapFile&) = delete;
 
-  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& folder() const { return folder_.path(); }
   std::string path() const { return file_.string(); }
 
  private:
-  static inline int counter_ = 0;
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   std::filesystem::path file_;
 };
 

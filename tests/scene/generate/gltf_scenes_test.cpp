@@ -9,6 +9,7 @@
 #include "host/image/image.h"
 #include "host/scene/generate/lathe.h"
 #include "host/scene/generate/stored_png.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/formats/loading/triangles.h"
 #include "tests/image/read_pixels8.h"
 #include "tests/scene/generate/generated_text.h"
@@ -19,12 +20,12 @@ TEST_CASE("a stored PNG has the pixels that it was made of") {
   constexpr std::uint32_t kWidth = 257, kHeight = 131;  // more than one block of the stream
   std::vector<std::byte> rgb(std::size_t{3} * kWidth * kHeight);
   for (std::size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<std::byte>(i * i / 7);
-  const auto file = std::filesystem::temp_directory_path() / "candela-stored.png";
+  const TemporaryFolder folder;
+  const auto file = folder / "stored.png";
   const std::vector<std::byte> png = storedPng(kWidth, kHeight, rgb);
   std::ofstream(file, std::ios::binary)
       .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
   const image::Pixels8 pixels = image::readPixels8(file);
-  std::filesystem::remove(file);
   REQUIRE(pixels.width == kWidth);
   REQUIRE(pixels.height == kHeight);
   CHECK(std::equal(rgb.begin(), rgb.end(), reinterpret_cast<const std::byte*>(pixels.rgb.data())));
