@@ -29,7 +29,8 @@ void checkSettings(const RenderJob& job) {
   const Arguments stated = statedArguments(job);
   for (const job::FilmSetting& setting : job::filmSettings()) {
     CAPTURE(setting.name);
-    const Option& option = find("--" + std::string(setting.name), Command::render);
+    const std::string name = "--" + std::string(setting.name);
+    const Option& option = find(name, Command::render);
     const std::vector<std::string> words = option.show(stated);
     CHECK(setting.value(job) == (words.empty() ? "off" : words.front()));
     CHECK(setting.isFlag == option.isFlag());
