@@ -76,8 +76,7 @@ class Counting {
   void countEntries(std::vector<Entry>& entries, CoincidentObjects::Count CoincidentObjects::*counts,
                     std::uint64_t CoincidentObjects::Count::*side, std::string CoincidentObjects::*noun) {
     std::ranges::sort(entries);
-    const auto repeated = std::ranges::unique(entries);
-    entries.erase(repeated.begin(), repeated.end());
+    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
     for (const auto& [first, second, primitive] : entries) {
       CoincidentObjects& objects = pairs_[{first, second}];
       ++(objects.*counts.*side);

@@ -93,9 +93,9 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   if (isList) {
-    const auto marked = std::ranges::stable_partition(order,
-                                                      [&](std::uint32_t i) { return !coincidences.coincident[i]; });
-    flat.shape.firstMarkedSlot = static_cast<std::uint32_t>(marked.begin() - order.begin());
+    const auto marked = std::stable_partition(order.begin(), order.end(),
+                                              [&](std::uint32_t i) { return !coincidences.coincident[i]; });
+    flat.shape.firstMarkedSlot = static_cast<std::uint32_t>(marked - order.begin());
   }
   flat.shape.slotCount = static_cast<std::uint32_t>(order.size());
   flat.constants.slotCount = flat.shape.slotCount;

@@ -11,6 +11,8 @@ struct NamedValue {
   const char* name;
   T value;
 };
+template <class T>
+NamedValue(const char*, T) -> NamedValue<T>;  // Clang deduces the arguments of aggregates from version 17 on
 
 /// The values of an enumeration that have names, in the order in which help lists them.
 template <class T>
