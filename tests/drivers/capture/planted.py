@@ -69,7 +69,7 @@ MUTANTS = [
     ("kernel: operands of a difference exchanged", "131:12:swap", CORNELL, CORNELL),
     ("kernel: operands of a division exchanged", "136:9:swap", CORNELL, CORNELL),
     ("kernel: operands of a selection exchanged", "169:5:swap", CORNELL, CORNELL),
-    ("kernel: condition of a branch inverted", "250:20:swap", PRIMITIVES, PRIMITIVES),
+    ("kernel: condition of a branch inverted", "250:19:swap", PRIMITIVES, PRIMITIVES),
     ("kernel: greater instead of less", "184:6:186", PRIMITIVES, PRIMITIVES),
     ("kernel: sums instead of differences", "131:all:129", PRIMITIVES, PRIMITIVES),
 ]
