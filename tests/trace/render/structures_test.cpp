@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "host/trace/device/small_scene_rule.h"
 #include "host/trace/vulkan/loop_limit.h"
 #include "shaders/shared/render_data.h"
 #include "tests/trace/render/render_support.h"
@@ -233,7 +234,9 @@ TEST_CASE("a requested structure is used even if a linear list would be faster",
   REQUIRE(scene.primitives.size() <= gpu::kMaxUniformSlots);
   const render::RenderSettings settings = shortPaths(16, 1);
   const render::RenderResult row = renderOnDevice(scene, settings);
-  CHECK(row.statistics.layout == render::LayoutInUse::list);
+  // Some drivers compile a list too slowly to be given one.
+  const bool isList = flatten::isSmall(scene, {}, smallSceneRule(openTestDevice().info()));
+  CHECK(row.statistics.layout == (isList ? render::LayoutInUse::list : render::LayoutInUse::cwbvh));
   const render::RenderResult midpoint = renderOnDevice(scene, along(kWays[2], settings));
   CHECK(midpoint.statistics.structureQuality.at("nodes") > 1);
   const render::RenderResult grid = renderOnDevice(scene, along(kWays[3], settings));
@@ -241,7 +244,7 @@ TEST_CASE("a requested structure is used even if a linear list would be faster",
   const render::RenderResult wide = renderOnDevice(scene, along(kWays[6], settings));
   CHECK(wide.statistics.layout == render::LayoutInUse::cwbvh);
   for (const render::RenderResult& other : {midpoint, grid, wide}) {
-    CHECK(other.statistics.traversalSteps != row.statistics.traversalSteps);
+    if (isList) CHECK(other.statistics.traversalSteps != row.statistics.traversalSteps);
     CHECK(other.film.hash() == row.film.hash());
   }
 }
