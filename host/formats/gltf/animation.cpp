@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "host/base/quote.h"
-#include "host/formats/gltf/animation_sampler.h"
+#include "host/formats/gltf/animation_pointer.h"
 
 namespace candela::gltf {
 namespace {
@@ -51,7 +51,8 @@ Value chosenAnimation(const Value& animations, const std::optional<std::string>&
 
 }  // namespace
 
-Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors) {
+Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors,
+            nlohmann::json& document) {
   Pose pose;
   if (root.sizeOf("animations") == 0) return pose;
   const Value animation = chosenAnimation(root.require("animations"), wish);
@@ -59,10 +60,14 @@ Pose poseAt(const Value& root, const std::optional<std::string>& wish, double se
   const Value samplers = animation.require("samplers");
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const Value target = channels[i].require("target");
-    const std::optional<Value> node = target.find("node");
-    if (!node || target.require("path").text() == "pointer") continue;  // the target of an extension
-    const std::size_t index = node->indexInto("nodes", root.sizeOf("nodes"));
     const std::size_t sampler = channels[i].require("sampler").indexInto("samplers", samplers.size());
+    if (target.require("path").text() == "pointer") {
+      setPointedProperty(target, samplers[sampler], seconds, accessors, document);
+      continue;
+    }
+    const std::optional<Value> node = target.find("node");
+    if (!node) continue;  // the target of another extension
+    const std::size_t index = node->indexInto("nodes", root.sizeOf("nodes"));
     setPath(target.require("path"), samplers[sampler], seconds, accessors, pose[index]);
   }
   return pose;

@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,8 +25,9 @@ using Pose = std::map<std::size_t, NodePose>;
 
 /// Evaluates every channel of an animation at `seconds`; before the first and after the last key frame, the values
 /// of that frame apply. `wish` is the name or the index of the animation, and the first one if it is empty. The pose is
-/// empty if there is no animation. Throws JsonError, and FileError with the names of all animations if none is the
-/// wish.
-Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors);
+/// empty if there is no animation. Properties that KHR_animation_pointer animates are set in `document`, which is the
+/// content of `root`. Throws JsonError, and FileError with the names of all animations if none is the wish.
+Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors,
+            nlohmann::json& document);
 
 }  // namespace candela::gltf

@@ -30,6 +30,7 @@ std::vector<float> flatten(const std::vector<Vector>& vectors) {
 }
 
 std::vector<float> readValues(const Value& reference, std::size_t components, Accessors& accessors) {
+  if (components == 2) return flatten(accessors.read<glm::vec2>(reference));
   if (components == 3) return flatten(accessors.read<glm::vec3>(reference));
   if (components == 4) return flatten(accessors.read<glm::vec4>(reference));
   return accessors.read<float>(reference);

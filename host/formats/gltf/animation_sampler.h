@@ -27,7 +27,7 @@ struct Sampler {
 /// Converts from the order of components that files have.
 inline glm::dquat asQuaternion(const std::vector<double>& xyzw) { return {xyzw[3], xyzw[0], xyzw[1], xyzw[2]}; }
 
-/// Reads a sampler. `components`: 3 or 4 numbers for each frame, or 1 of which each frame has any number. Throws
+/// Reads a sampler. `components`: 2 to 4 numbers for each frame, or 1 of which each frame has any number. Throws
 /// JsonError.
 Sampler readSampler(const Value& sampler, std::size_t components, Accessors& accessors);
 

@@ -19,6 +19,7 @@ namespace {
 constexpr std::array kComplete{"CANDELA_materials_conductor",
                                "EXT_mesh_gpu_instancing",
                                "EXT_texture_webp",
+                               "KHR_animation_pointer",
                                "KHR_lights_punctual",
                                "KHR_materials_anisotropy",
                                "KHR_materials_clearcoat",

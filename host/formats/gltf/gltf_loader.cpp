@@ -77,7 +77,7 @@ void warnOfSmallModel(const View& view, const std::optional<Box>& bounds, scene:
 
 scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptions& options,
                             scene::DiagnosticLog& log) {
-  const Container container = readContainer(file);
+  Container container = readContainer(file);
   const Value root(container.json, "");
   const UsedExtensions used = checkAsset(root, options.lenient, log);
   Buffers buffers(root, container.binary, file, options);
@@ -85,7 +85,7 @@ scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptio
   if (options.time && root.sizeOf("animations") == 0) {
     log.warn("time", {}, settingWords("time") + " has no effect: the file has no animation");
   }
-  const Pose pose = options.time ? poseAt(root, options.animation, *options.time, accessors) : Pose{};
+  const Pose pose = options.time ? poseAt(root, options.animation, *options.time, accessors, container.json) : Pose{};
   const NodeTree nodes(root, pose, options.lenient, log);
   SceneAssembly assembly(root, nodes, pose, accessors, buffers, options.lenient, log);
   assembly.addMaterials();

@@ -1,6 +1,8 @@
 // The first animation at a time: interpolation by hand.
 #include "host/formats/gltf/animation.h"
 
+#include <numbers>
+
 #include "tests/formats/gltf/gltf_file.h"
 
 namespace candela::gltf {
@@ -75,6 +77,83 @@ TEST_CASE("an animation is chosen by its name, else by its index, and the first 
   CHECK(sceneOf(file, {.time = 1}).hash != sceneOf(file, {.time = 1, .animation = "Walk"}).hash);
 }
 
+/// The file of animated(), whose channel sets the property at a JSON pointer instead.
+GltfFile pointed(const std::string& pointer, const std::vector<float>& output, const char* type, std::size_t components,
+                 const char* interpolation = "LINEAR") {
+  GltfFile file = animated("pointer", output, type, components, interpolation);
+  nlohmann::json& target = file.root["animations"][0]["channels"][0]["target"];
+  target.erase("node");
+  target["extensions"]["KHR_animation_pointer"]["pointer"] = pointer;
+  file.root["extensionsUsed"] = {"KHR_animation_pointer"};
+  file.root["materials"] = {{{"pbrMetallicRoughness", {{"roughnessFactor", 0.25}}}}, nlohmann::json::object()};
+  file.root["meshes"][0]["primitives"][0]["material"] = 0;
+  return file;
+}
+
+TEST_CASE("KHR_animation_pointer changes materials, lights, cameras and nodes") {
+  const GltfFile emission = pointed("/materials/0/emissiveFactor", {0, 0, 0, 8, 4, 2}, "VEC3", 3);
+  CHECK(sceneOf(emission, {}).materials[0].emission == glm::vec3(0));
+  CHECK(sceneOf(emission, {.time = 1.5}).materials[0].emission == glm::vec3(2, 1, 0.5f));
+  const GltfFile moved = pointed("/nodes/0/translation", {0, 0, 0, 8, 0, 0}, "VEC3", 3);
+  CHECK(originAt(moved, 2) == glm::vec3(4, 0, 0));
+  GltfFile lamp = pointed("/extensions/KHR_lights_punctual/lights/0/intensity", {0, 40}, "SCALAR", 1);
+  lamp.root["extensions"]["KHR_lights_punctual"]["lights"] = {{{"type", "point"}}};
+  lamp.root["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+  CHECK(sceneOf(lamp, {.time = 2}).punctualLights.at(0).intensity == glm::vec3(20));
+  GltfFile zoom = pointed("/cameras/0/perspective/yfov", {0.5, 1.5}, "SCALAR", 1);
+  zoom.root["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 0.1}}}}};
+  zoom.root["nodes"][0]["camera"] = 0;
+  CHECK(sceneOf(zoom, {.time = 2}).camera->angle == static_cast<float>(180 / std::numbers::pi));
+}
+
+TEST_CASE("KHR_animation_pointer sets a property that the file leaves at its default, but invents no extension") {
+  const GltfFile metal = pointed("/materials/1/pbrMetallicRoughness/metallicFactor", {0, 1}, "SCALAR", 1);
+  CHECK(sceneOf(metal, {}).materials[1].surface->metalness == 1);
+  CHECK(sceneOf(metal, {.time = 1.5}).materials[1].surface->metalness == 0.25f);
+  const GltfFile sheen = pointed("/materials/0/extensions/KHR_materials_sheen/sheenRoughnessFactor", {0, 1}, "SCALAR",
+                                 1);
+  CHECK_THROWS_WITH(sceneOf(sheen, {.time = 2}),
+                    Catch::Contains("no object /materials/0/extensions/KHR_materials_sheen that"));
+  CHECK_NOTHROW(sceneOf(sheen, {}));
+}
+
+TEST_CASE("values of splines beyond the range of a property are clamped") {
+  // Overshoots: at the middle, (1 + 1)/2 + 2 (4 - 0)/8 = 2.
+  const GltfFile file = pointed("/materials/0/emissiveFactor", {0, 0, 0, 1, 1, 1, -4, 4, 0, 0, 0, 0, 1, 1, 1, 0, 0, 0},
+                                "VEC3", 3, "CUBICSPLINE");
+  CHECK(sceneOf(file, {.time = 2}).materials[0].emission == glm::vec3(0, 2, 1));
+  const GltfFile metal = pointed("/materials/0/pbrMetallicRoughness/metallicFactor", {0, 1, 9, 0, 1, 0}, "SCALAR", 1,
+                                 "CUBICSPLINE");
+  CHECK(sceneOf(metal, {.time = 2}).materials[0].surface->metalness == 1);
+}
+
+TEST_CASE("visibility is animated by steps") {
+  GltfFile file = pointed("/nodes/0/extensions/KHR_node_visibility/visible", {1, 0}, "SCALAR", 1, "STEP");
+  file.root["nodes"][0]["extensions"]["KHR_node_visibility"]["visible"] = true;
+  CHECK(sceneOf(file, {.time = 1}).primitives.size() == 1);
+  CHECK(sceneOf(file, {.time = 3}).primitives.empty());
+}
+
+TEST_CASE("pointers to what no animation may change are refused") {
+  for (const char* pointer :
+       {"", "x", "/", "/nodes/0/mesh", "/accessors/0/count", "/animations/0/name", "/asset/version",
+        "/materials/0/name", "/materials/~2/extensions/KHR_texture_transform/offset",
+        "/materials/0/pbrMetallicRoughness/baseColorFactor/0"}) {
+    CAPTURE(pointer);
+    CHECK_THROWS_WITH(sceneOf(pointed(pointer, {0, 1}, "SCALAR", 1), {.time = 2}),
+                      Catch::Contains("is not a property that an animation may change"));
+  }
+  for (const char* pointer : {"/materials/9/alphaCutoff", "/materials/99999999999999999999/alphaCutoff",
+                              "/materials/00/alphaCutoff", "/cameras/0/perspective/yfov"}) {
+    CAPTURE(pointer);
+    CHECK_THROWS_AS(sceneOf(pointed(pointer, {0, 1}, "SCALAR", 1), {.time = 2}), scene::SceneError);
+  }
+  CHECK_THROWS_WITH(sceneOf(pointed("/materials/0/alphaCutoff", {0, 0, 1, 1}, "SCALAR", 1), {.time = 2}),
+                    Catch::Contains("more numbers than the property"));
+  CHECK_THROWS_WITH(sceneOf(pointed("/materials/0/emissiveFactor", {0, 1}, "SCALAR", 1), {.time = 2}),
+                    Catch::Contains("1 components instead of 3"));
+}
+
 TEST_CASE("weights of morph targets are animated") {
   GltfFile file = animated("weights", {0, 0, 1, 0.5f}, "SCALAR", 1, "LINEAR");
   file.primitive()["targets"] = {{{"POSITION", file.positions({4, 0, 0, 0, 0, 0, 0, 0, 0})}},
@@ -95,6 +174,9 @@ TEST_CASE("an animated node has no matrix, and channels without a node are skipp
   CHECK(errorsOf(file.text(), {.time = 1}).find("/nodes/0/matrix: an animated node") != std::string::npos);
   file.root["animations"][0]["channels"][0]["target"].erase("node");
   CHECK(errorsOf(file.text(), {.time = 1}).empty());
+  GltfFile byPointer = pointed("/nodes/0/translation", {0, 0, 0, 8, 0, 0}, "VEC3", 3);
+  byPointer.root["nodes"][0]["matrix"] = file.root["nodes"][0]["matrix"];
+  CHECK(errorsOf(byPointer.text(), {.time = 1}).find("an animated node has a matrix") != std::string::npos);
 }
 
 }  // namespace candela::gltf
