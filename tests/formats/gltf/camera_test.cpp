@@ -114,7 +114,7 @@ TEST_CASE("a camera of the file that shows less than 1 percent of the model caus
   // The radius of the sphere around the triangle is sqrt(1/2), its centre is (1/2, 1/2, 0).
   const auto warnsAt = [](const json& lens, double x, double z, const std::optional<std::string>& wish = std::nullopt) {
     GltfFile file = triangleFile();
-    file.root["cameras"] = {lens};
+    file.root["cameras"] = json::array({lens});
     file.addNode({{"camera", 0}, {"translation", {x, 0.5, z}}});
     return warns(load(file, {.camera = wish}), "camera 0 of the file shows the model in less than 1 % of the picture");
   };

@@ -7,7 +7,7 @@ namespace {
 
 GltfFile withLight(const json& light, const json& node) {
   GltfFile file = triangleFile();
-  file.root["extensions"]["KHR_lights_punctual"]["lights"] = {light};
+  file.root["extensions"]["KHR_lights_punctual"]["lights"] = json::array({light});
   json placed = node;
   placed["extensions"]["KHR_lights_punctual"]["light"] = 0;
   file.addNode(placed);

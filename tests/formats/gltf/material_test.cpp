@@ -233,13 +233,13 @@ TEST_CASE("primitives without a material share the default, a rough white metal"
 TEST_CASE("one warning lists the features that are not rendered, and occlusion textures are a fact") {
   GltfFile file = triangleFile();
   json material{{"occlusionTexture", {{"index", 0}}}};
-  file.root["materials"] = {material};
+  file.root["materials"] = json::array({material});
   const scene::LoadedScene loaded = load(file);
   CHECK_FALSE(warns(loaded, "not rendered"));
   CHECK(std::ranges::count(loaded.facts, std::pair<std::string, std::string>(
                                              "not used", "occlusion textures (light is traced)")) == 1);
   material["extensions"]["EXT_example"] = json::object();
-  file.root["materials"] = {material};
+  file.root["materials"] = json::array({material});
   CHECK(warns(load(file), "not rendered yet: EXT_example"));
 }
 
