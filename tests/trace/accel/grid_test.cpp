@@ -166,7 +166,7 @@ TEST_CASE("validate reports the errors of a grid") {
   REQUIRE_FALSE(validate(good, boxes).has_value());
   const auto cell = [&](std::uint32_t count) {
     std::size_t c = 0;
-    while (good.starts[c + 1] - good.starts[c] != count) ++c;
+    while (good.starts.at(c + 1) - good.starts[c] != count) ++c;
     return c;
   };
   const std::size_t single = cell(1), pair = cell(2);

@@ -42,7 +42,10 @@ inline Aabb boxAround(const glm::dvec3& centre, const glm::dvec3& halfExtent) {
 inline std::vector<accel::Aabb> randomBoxes(std::size_t count, std::uint64_t seed = 1) {
   Random random(seed);
   std::vector<accel::Aabb> boxes(count);
-  for (Aabb& b : boxes) b = boxAround(random.inCube(0, 100), random.inCube(0, 1));
+  for (Aabb& b : boxes) {
+    const glm::dvec3 halfExtent = random.inCube(0, 1);  // first, since compilers differ in the order of arguments
+    b = boxAround(random.inCube(0, 100), halfExtent);
+  }
   return boxes;
 }
 
@@ -74,7 +77,8 @@ inline std::vector<NamedInput> builderInputs() {
   add("flat", 3000, [&](double) { return boxAround({random.real(), 4, random.real()}, {0.01, 0, 0.01}); });
   add("huge and tiny", 2000, [&](double i) {
     if (i < 6) return boxAround(1e5 * random.direction(), glm::dvec3(1e5));
-    return boxAround(random.inCube(0, 100), glm::dvec3(random.real(0, 0.1)));
+    const glm::dvec3 halfExtent(random.real(0, 0.1));
+    return boxAround(random.inCube(0, 100), halfExtent);
   });
   add("geometric progression", 240, [](double i) {
     const double size = std::exp2(i / 2 - 20);
