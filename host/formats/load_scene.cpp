@@ -5,23 +5,55 @@
 
 #include <vector>
 
+#include "host/base/hash.h"
 #include "host/formats/gltf/gltf_loader.h"
 #include "host/formats/loading/read_file.h"
 #include "host/formats/nff/nff_loader.h"
-#include "host/scene/environment/environment.h"
+#include "host/formats/orbit.h"
 
 namespace candela::formats {
 namespace {
 
-void surround(scene::LoadedScene& loaded, const scene::EnvironmentRequest& request, bool isLenient) {
+/// Gives a scene its environment, which is read unless `read` has it already.
+void surround(scene::LoadedScene& loaded, const scene::LoadOptions& options,
+              std::optional<environment::ReadEnvironment>& read) {
   scene::Scene& scene = loaded.scene;
-  if (environment::isImageFile(request.source)) loaded.files.emplace_back(request.source);
-  environment::ReadEnvironment read = environment::readEnvironment(request, scene.up, isLenient);
-  for (const std::string& warning : read.warnings) loaded.warnings.push_back({request.source, 0, 0, warning});
-  scene.environment = std::move(read.environment);
+  const std::string& source = options.environment.source;
+  if (environment::isImageFile(source)) loaded.files.emplace_back(source);
+  if (!read) read = environment::readEnvironment(options.environment, scene.up, options.lenient);
+  for (const std::string& warning : read->warnings) loaded.warnings.push_back({source, 0, 0, warning});
+  scene.environment = read->environment;
   scene.hash = environment::hashOf(*scene.environment, scene.hash);
   loaded.facts.emplace_back("environment", fmt::format("{}, {} x {} texels", scene.environment->name,
                                                        scene.environment->width, scene.environment->height));
+}
+
+void orbit(scene::Scene& scene, double degrees) {
+  if (degrees == 0) return;
+  if (scene.camera) scene.camera = orbitedCamera(scene, degrees);
+  scene.hash = fnv1aOfText(fmt::format("orbit {}", degrees), scene.hash);
+}
+
+std::string bytesOf(const std::filesystem::path& path) {
+  std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
+  if (bytes.empty()) throw scene::SceneError({{path.string(), 0, 0, "the file is empty"}});
+  return bytes;
+}
+
+scene::SceneFile fileOf(const std::filesystem::path& path, std::string_view bytes) {
+  return {bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
+}
+
+std::unique_ptr<scene::SceneReader> open(const scene::SceneFile& file, const scene::LoadOptions& options,
+                                         bool isOften) {
+  return chooseLoader(allLoaders(), file).open(file, options, isOften);
+}
+
+scene::LoadedScene complete(scene::LoadedScene loaded, const scene::LoadOptions& options,
+                            std::optional<environment::ReadEnvironment>& environment) {
+  if (options.hasEnvironment()) surround(loaded, options, environment);
+  orbit(loaded.scene, options.orbit);
+  return loaded;
 }
 
 }  // namespace
@@ -31,16 +63,25 @@ std::span<const scene::Loader> allLoaders() {
   return loaders;
 }
 
+SceneSource::SceneSource(const std::filesystem::path& path, scene::LoadOptions options)
+    : bytes_(bytesOf(path)), options_(std::move(options)), reader_(open(fileOf(path, bytes_), options_, true)) {}
+
+SceneSource::~SceneSource() = default;
+
+scene::LoadedScene SceneSource::at(std::optional<double> time, double orbit) {
+  options_.time = time;
+  options_.orbit = orbit;
+  return complete(reader_->at(time), options_, environment_);
+}
+
 scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOptions& options) {
-  scene::LoadedScene loaded = chooseLoader(allLoaders(), file).load(file, options);
-  if (options.hasEnvironment()) surround(loaded, options.environment, options.lenient);
-  return loaded;
+  std::optional<environment::ReadEnvironment> environment;
+  return complete(open(file, options, false)->at(options.time), options, environment);
 }
 
 scene::LoadedScene loadScene(const std::filesystem::path& path, const scene::LoadOptions& options) {
-  const std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
-  if (bytes.empty()) throw scene::SceneError({{path.string(), 0, 0, "the file is empty"}});
-  return loadScene({bytes, path.string(), scene::folderOrCurrent(path.parent_path())}, options);
+  const std::string bytes = bytesOf(path);
+  return loadScene(fileOf(path, bytes), options);
 }
 
 }  // namespace candela::formats

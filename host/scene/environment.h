@@ -26,6 +26,8 @@ struct Environment {
   std::vector<std::uint64_t> weights;  ///< of the choice of each texel; their sum is kMeanWeight times the number of
                                        ///< texels, or 0 if the map is black
   glm::vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< x, y and z axis of the map's frame, in the scene
+
+  bool operator==(const Environment&) const = default;
 };
 
 }  // namespace candela::scene

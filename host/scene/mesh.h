@@ -17,6 +17,8 @@ struct Mesh {
   std::vector<glm::vec4> tangents{};     ///< unit vector; w, 1 or -1: the bitangent is w cross(normal, tangent)
   std::vector<glm::vec4> colours{};      ///< linear RGBA
   std::vector<std::uint32_t> indices{};  ///< into the attributes, three for each triangle; may be empty
+
+  bool operator==(const Mesh&) const = default;
 };
 
 /// The positions of one triangle's vertices.

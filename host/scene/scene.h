@@ -33,18 +33,24 @@ struct Camera {
   /// Height of the view of an orthographic camera, > 0, in units of the scene; absent: a perspective camera. Its rays
   /// start on the plane through `from` that is parallel to the view plane.
   std::optional<float> orthographicHeight;
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// Radius < 0: the surface is seen from inside only and its normal points to the centre.
 struct Sphere {
   glm::vec3 centre;
   float radius;
+
+  bool operator==(const Sphere&) const = default;
 };
 
 /// Axis-aligned, min <= max on each axis (equal: a flat box, allowed).
 struct Box {
   glm::vec3 min;
   glm::vec3 max;
+
+  bool operator==(const Box&) const = default;
 };
 
 /// The lateral surface of a truncated cone between two circles, without caps; a cylinder if the radii are equal. base
@@ -54,11 +60,15 @@ struct Cone {
   float baseRadius;
   glm::vec3 apex;
   float apexRadius;
+
+  bool operator==(const Cone&) const = default;
 };
 
 /// Infinite plane through three points that are not collinear, normal (p1 - p0) x (p2 - p0).
 struct Plane {
   glm::vec3 p[3];
+
+  bool operator==(const Plane&) const = default;
 };
 
 /// sphere, triangle, box, cone, plane: the entries of CANDELA_PRIMITIVE_KINDS, with their values.
@@ -82,6 +92,8 @@ struct Primitive {
   Primitive(PrimitiveKind primitiveKind, std::uint32_t shapeIndex, std::uint32_t materialIndex,
             std::uint32_t meshIndex = 0)
       : kind(primitiveKind), mesh(meshIndex & (kMaxMeshes - 1)), index(shapeIndex), material(materialIndex) {}
+
+  bool operator==(const Primitive&) const = default;
 };
 static_assert(sizeof(Primitive) == 12);
 
@@ -89,6 +101,8 @@ static_assert(sizeof(Primitive) == 12);
 struct PointLight {
   glm::vec3 position;
   glm::vec3 colour{1, 1, 1};
+
+  bool operator==(const PointLight&) const = default;
 };
 
 /// glTF's lights: docs/light-transport.md. Point and spot lights fall off with the square of the distance, directional
@@ -106,6 +120,8 @@ struct PunctualLight {
   float versineInner = 0;
   float versineOuter = 1;
   float reach = 1;  ///< of a directional light: distance of a point light that would be as bright, for its choice
+
+  bool operator==(const PunctualLight&) const = default;
 };
 
 /// One face of the sky box: 8-bit sRGB, row 0 at the top, 3 bytes per texel.
@@ -113,17 +129,23 @@ struct SkyFace {
   std::uint32_t width = 0;
   std::uint32_t height = 0;
   std::vector<std::uint8_t> rgb;
+
+  bool operator==(const SkyFace&) const = default;
 };
 
 /// Faces in this order: right (+X), left (-X), top (+Y), bottom (-Y), front (+Z), back (-Z).
 struct Sky {
   SkyFace faces[6];
+
+  bool operator==(const Sky&) const = default;
 };
 
 /// The known mean of the image, or of a part of it: a comment "# exact-mean: r g b [x y width height]".
 struct ExactMean {
   glm::vec3 rgb;
   glm::vec4 area{0, 0, 1, 1};  ///< x, y, width, height as fractions of the image, inside [0, 1]
+
+  bool operator==(const ExactMean&) const = default;
 };
 
 struct Scene {

@@ -19,6 +19,8 @@ struct TextureImage {
   std::vector<std::uint64_t> deepTexels{};  ///< red | green << 16 | blue << 32 | alpha << 48
 
   bool isDeep() const { return !deepTexels.empty(); }
+
+  bool operator==(const TextureImage&) const = default;
 };
 
 /// The treatment of texture coordinates outside of 0 to 1: the entries of CANDELA_TEXTURE_WRAPS, with their values.

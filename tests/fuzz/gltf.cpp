@@ -6,5 +6,5 @@ void candela::fuzz::run(Input input) {
   const std::string bytes = textOf(input);
   scene::LoadOptions options;
   options.time = 0.5;
-  expectErrors([&] { gltf::loadGltf({bytes, "input", "/nonexistent"}, options); });
+  expectErrors([&] { gltf::gltfLoader().open({bytes, "input", "/nonexistent"}, options, false)->at(options.time); });
 }

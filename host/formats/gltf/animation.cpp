@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "host/base/quote.h"
 #include "host/formats/gltf/animation_pointer.h"
 
 namespace candela::gltf {
 namespace {
+
+constexpr const char* kPointerPath = "pointer";
 
 void setPath(const Value& path, const Value& sampler, double seconds, Accessors& accessors, NodePose& pose) {
   const std::string& name = path.text();
@@ -61,7 +65,7 @@ Pose poseAt(const Value& root, const std::optional<std::string>& wish, double se
   for (std::size_t i = 0; i < channels.size(); ++i) {
     const Value target = channels[i].require("target");
     const std::size_t sampler = channels[i].require("sampler").indexInto("samplers", samplers.size());
-    if (target.require("path").text() == "pointer") {
+    if (target.require("path").text() == kPointerPath) {
       setPointedProperty(target, samplers[sampler], seconds, accessors, document);
       continue;
     }
@@ -71,6 +75,29 @@ Pose poseAt(const Value& root, const std::optional<std::string>& wish, double se
     setPath(target.require("path"), samplers[sampler], seconds, accessors, pose[index]);
   }
   return pose;
+}
+
+bool hasPointers(const Value& root) {
+  const std::optional<Value> animations = root.find("animations");
+  if (!animations) return false;
+  for (const Value& animation : animations->items()) {
+    for (const Value& channel : animation.require("channels").items()) {
+      if (channel.require("target").textOr("path", "") == kPointerPath) return true;
+    }
+  }
+  return false;
+}
+
+std::optional<double> animationEnd(const Value& root, const std::optional<std::string>& wish, Accessors& accessors) {
+  if (root.sizeOf("animations") == 0) return std::nullopt;
+  const Value animation = chosenAnimation(root.require("animations"), wish);
+  const Value samplers = animation.require("samplers");
+  double end = 0;
+  for (std::size_t i = 0; i < samplers.size(); ++i) {
+    const std::vector<float> times = accessors.read<float>(samplers[i].require("input"));
+    if (!times.empty()) end = std::max(end, static_cast<double>(times.back()));
+  }
+  return end;
 }
 
 }  // namespace candela::gltf

@@ -30,4 +30,11 @@ using Pose = std::map<std::size_t, NodePose>;
 Pose poseAt(const Value& root, const std::optional<std::string>& wish, double seconds, Accessors& accessors,
             nlohmann::json& document);
 
+/// Returns whether an animation of the file animates properties by KHR_animation_pointer. Throws JsonError.
+bool hasPointers(const Value& root);
+
+/// Returns the time of the last key frame of an animation, chosen as by poseAt(), in seconds; nothing if the file has
+/// no animation. Throws as poseAt() does.
+std::optional<double> animationEnd(const Value& root, const std::optional<std::string>& wish, Accessors& accessors);
+
 }  // namespace candela::gltf

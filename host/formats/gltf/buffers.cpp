@@ -38,11 +38,9 @@ BufferView Buffers::view(const Value& reference) {
   const std::optional<Value> older = extensionOf(view, "EXT_meshopt_compression");
   const std::optional<Value> compression = older ? older : extensionOf(view, "KHR_meshopt_compression");
   if (!compression || !canDecodeMeshopt()) return plainView(view);
-  if (!decodedViews_.contains(index)) {
-    const Bytes source = range(*compression, compression->wholeOr("byteOffset", 0),
-                               compression->require("byteLength").whole());
-    decodedViews_.emplace(index, decodeMeshopt(*compression, source));
-  }
+  const Bytes source = range(*compression, compression->wholeOr("byteOffset", 0),
+                             compression->require("byteLength").whole());
+  if (!decodedViews_.contains(index)) decodedViews_.emplace(index, decodeMeshopt(*compression, source));
   return {decodedViews_.at(index), static_cast<std::size_t>(compression->require("byteStride").whole())};
 }
 
@@ -67,6 +65,7 @@ Bytes Buffers::buffer(const Value& reference) {
   const std::uint64_t length = buffer.require("byteLength").whole();
   const bool isChunk = index == 0 && binaryChunk_ && !buffer.find("uri");
   if (!isChunk && !buffers_.contains(index)) buffers_.emplace(index, readBuffer(buffer));
+  if (!isChunk) used_.insert(index);
   const Bytes bytes = asBytes(isChunk ? *binaryChunk_ : std::string_view(buffers_.at(index)));
   if (length > bytes.size()) {
     buffer.require("byteLength").fail(fmt::format("{} bytes are stated, but there are only {}", length, bytes.size()));
@@ -94,7 +93,8 @@ std::string Buffers::readUri(const Value& uri) {
 }
 
 std::uint64_t Buffers::hashFiles(std::uint64_t hash) const {
-  for (const auto& [index, text] : buffers_) {
+  for (const std::size_t index : used_) {
+    const std::string& text = buffers_.at(index);
     hash = fnv1a({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}, hash);
   }
   return hash;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -40,7 +41,10 @@ class Buffers {
   /// The other files that readUri() was to read.
   const std::vector<std::filesystem::path>& files() const { return guard_.requiredPaths(); }
 
-  /// The 64-bit FNV-1a hash of all other files that were read, continued from `hash`, in the order of the buffers.
+  /// Forgets which buffers were used, but not their bytes, so that hashFiles() describes the next scene of the file.
+  void beginScene() { used_.clear(); }
+  /// The 64-bit FNV-1a hash of all buffers from other files and data URIs that were used, continued from `hash`, in the
+  /// order of the buffers.
   std::uint64_t hashFiles(std::uint64_t hash) const;
 
  private:
@@ -54,6 +58,7 @@ class Buffers {
   const scene::SceneFile& file_;
   scene::PathGuard guard_;
   std::map<std::size_t, std::string> buffers_;                    ///< by index; decoded or read
+  std::set<std::size_t> used_{};                                  ///< indices in `buffers_`
   std::map<std::size_t, std::vector<std::byte>> decodedViews_{};  ///< by index; EXT_meshopt_compression
 };
 

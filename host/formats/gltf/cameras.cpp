@@ -61,10 +61,10 @@ View framingView(const std::optional<Box>& bounds) { return {framingCamera(bound
 }  // namespace
 
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds) {
+                const std::optional<Box>& bounds, const std::function<std::optional<Box>()>& framed) {
   const std::vector<PlacedCamera> all = placedCameras(root, nodes);
-  if (wish == "none") return framingView(bounds);
-  if (!wish) return all.empty() ? framingView(bounds) : viewOf(root, nodes, all.front(), bounds);
+  if (wish == "none" || (!wish && all.empty())) return framingView(framed());
+  if (!wish) return viewOf(root, nodes, all.front(), bounds);
   const auto found = std::ranges::find_if(all,
                                           [&](const PlacedCamera& placed) { return answers(root, placed, *wish); });
   if (found == all.end()) {

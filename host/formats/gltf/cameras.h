@@ -1,5 +1,6 @@
 // The view of a glTF file: one of its cameras, or a view that frames everything.
 #pragma once
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -14,11 +15,12 @@ struct View {
   std::string description;  ///< for reports
 };
 
-/// Returns the camera that `wish` names (LoadOptions::camera); without a wish, the first camera of a visible node. A
-/// view that frames `bounds` if there is none, or if the wish is "none". The target is as far away as the centre of
-/// `bounds`. Throws JsonError for a wrong camera, and FileError, which lists the cameras, for a wish that fits none.
+/// Returns the camera that `wish` names (LoadOptions::camera); without a wish, the first camera of a visible node. Its
+/// target is as far away as the centre of `bounds`. If there is none, or if the wish is "none", a view that frames what
+/// `framed` returns. Throws JsonError for a wrong camera, and FileError, which lists the cameras, for a wish that fits
+/// none.
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds);
+                const std::optional<Box>& bounds, const std::function<std::optional<Box>()>& framed);
 
 /// The view of a perspective or an orthographic camera at a node, without the node's scale.
 scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);

@@ -64,26 +64,29 @@ bool transmits(const scene::Scene& scene, const scene::Primitive& primitive) {
   return surface && surface->transmissionWeight > 0 && surface->metalness < 1;
 }
 
-void addDefaultLight(scene::Scene& scene) {
-  const auto& [right, up, forward] = axesOf(*scene.camera);
-  scene.background = glm::vec3(kBackground);
+scene::PunctualLight lightBeside(const scene::Camera& camera) {
+  const auto& [right, up, forward] = axesOf(camera);
   scene::PunctualLight light;
   light.kind = scene::PunctualLight::Kind::directional;
   light.direction = glm::vec3(glm::normalize(2.0 * forward + right - up));
   light.intensity = glm::vec3(kIrradiance);
-  scene.punctualLights.push_back(light);
+  return light;
 }
 
 }  // namespace
 
-std::string lightUp(scene::Scene& scene, const std::optional<Box>& bounds, const scene::LoadOptions& options) {
+DefaultLight defaultLightOf(const scene::Scene& scene, const std::optional<Box>& bounds) {
   const double radiance = meanRadiance(scene, bounds);
-  if (!scene.punctualLights.empty() || radiance >= kFaintRadiance) return "as in the file";
-  const std::string own = radiance > 0 ? "too faint in the file" : "none in the file";
-  if (options.hasEnvironment()) return own;
-  addDefaultLight(scene);
-  return fmt::format("{}: a background of {} and a directional light of {} from the camera's upper left", own,
-                     kBackground, kIrradiance);
+  if (!scene.punctualLights.empty() || radiance >= kFaintRadiance) return {{}, "as in the file"};
+  return {lightBeside(*scene.camera), radiance > 0 ? "too faint in the file" : "none in the file"};
+}
+
+std::string lightUp(scene::Scene& scene, const DefaultLight& light, const scene::LoadOptions& options) {
+  if (!light.light || options.hasEnvironment()) return light.ownLight;
+  scene.background = glm::vec3(kBackground);
+  scene.punctualLights.push_back(*light.light);
+  return fmt::format("{}: a background of {} and a directional light of {} from the camera's upper left",
+                     light.ownLight, kBackground, kIrradiance);
 }
 
 void warnOfShadows(const scene::Scene& scene, scene::DiagnosticLog& log) {

@@ -9,10 +9,19 @@
 
 namespace candela::gltf {
 
-/// Adds a background and a directional light from above the left shoulder of the scene's camera, unless the file has
-/// lights, enough emission, or an environment replaces them. `bounds` is the box of all triangles. Returns what lights
-/// the scene, for a report.
-std::string lightUp(scene::Scene& scene, const std::optional<Box>& bounds, const scene::LoadOptions& options);
+/// The light that a file needs besides its own.
+struct DefaultLight {
+  std::optional<scene::PunctualLight> light{};  ///< comes with a background; empty: the file's own light is enough
+  std::string ownLight;                         ///< describes the light of the file, for a report
+};
+
+/// Returns a directional light from above the left shoulder of the scene's camera, unless the scene has lights or
+/// enough emission. `bounds` is the box of all triangles.
+DefaultLight defaultLightOf(const scene::Scene& scene, const std::optional<Box>& bounds);
+
+/// Adds the default light and its background, unless an environment replaces them. Returns what lights the scene, for a
+/// report.
+std::string lightUp(scene::Scene& scene, const DefaultLight& light, const scene::LoadOptions& options);
 
 /// Warns if some light of the scene cannot pass some of its surfaces, although they transmit.
 void warnOfShadows(const scene::Scene& scene, scene::DiagnosticLog& log);

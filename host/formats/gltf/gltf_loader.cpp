@@ -75,53 +75,181 @@ void warnOfSmallModel(const View& view, const std::optional<Box>& bounds, scene:
                        settingWords("camera", "none")));
 }
 
-scene::LoadedScene assemble(const scene::SceneFile& file, const scene::LoadOptions& options,
-                            scene::DiagnosticLog& log) {
-  Container container = readContainer(file);
-  const Value root(container.json, "");
-  const UsedExtensions used = checkAsset(root, options.lenient, log);
-  Buffers buffers(root, container.binary, file, options);
-  Accessors accessors(root, buffers, options.lenient ? &log : nullptr);
-  if (options.time && root.sizeOf("animations") == 0) {
-    log.warn("time", {}, settingWords("time") + " has no effect: the file has no animation");
-  }
-  const Pose pose = options.time ? poseAt(root, options.animation, *options.time, accessors, container.json) : Pose{};
-  const NodeTree nodes(root, pose, options.lenient, log);
-  SceneAssembly assembly(root, nodes, pose, accessors, buffers, options.lenient, log);
-  assembly.addMaterials();
-  assembly.addNodes();
-  assembly.dropUselessOpacity();
-  log.throwIfErrors();
-  assembly.reportOmissions();
-  scene::Scene& scene = assembly.scene();
-  const View view = chooseView(root, nodes, options.camera, assembly.bounds());
-  scene.camera = view.camera;
-  warnOfExtent(assembly.bounds(), log);
-  if (!options.camera) warnOfSmallModel(view, assembly.bounds(), log);
-  const std::string light = lightUp(scene, assembly.bounds(), options);
-  warnOfShadows(scene, log);
-  setReach(assembly.bounds(), scene);
-  checkScene(scene, options, log);
-  scene.name = std::filesystem::path(file.name).filename().string();
-  scene.hash = hashOf(file, options, buffers, assembly.textures());
-  scene::FileFacts facts = factsOf(used, view.description, light);
-  if (assembly.hasOcclusion()) facts.emplace_back("not used", "occlusion textures (light is traced)");
-  return {std::move(scene), assembly.counts(), log.warnings(), std::move(facts), buffers.files()};
-}
+Box unionOf(const Box& a, const Box& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
 
-}  // namespace
-
-scene::Loader gltfLoader() { return {"glTF 2.0", {".gltf", ".glb"}, looksLikeGltf, loadGltf}; }
-
-scene::LoadedScene loadGltf(const scene::SceneFile& file, const scene::LoadOptions& options) {
-  scene::DiagnosticLog log(file.name);
+/// Turns errors of files and of JSON into errors of the scene.
+template <class Action>
+auto withSceneErrors(const scene::SceneFile& file, const Action& action) {
   try {
-    return assemble(file, options, log);
+    return action();
   } catch (const scene::SceneError&) {
     throw;
   } catch (const FileError& error) {
     throw scene::SceneError({{file.name, 0, 0, error.what()}});
   }
 }
+
+/// A scene of the file while it is read. The members are made in their order.
+struct Reading {
+  /// `fileRoot` is the content of the file; `options` have the time of the scene.
+  Reading(const Value& fileRoot, Buffers& buffers, DecodedImages* decoded, const scene::LoadOptions& options,
+          const std::string& name)
+      : log(name),
+        used(checkAsset(fileRoot, options.lenient, log)),
+        accessors(fileRoot, buffers, options.lenient ? &log : nullptr),
+        posed(options.time && hasPointers(fileRoot) ? fileRoot.json() : nlohmann::json()),
+        root(posed.is_null() ? fileRoot : Value(posed, "")),
+        pose(options.time ? poseAt(fileRoot, options.animation, *options.time, accessors, posed) : Pose{}),
+        nodes(root, pose, options.lenient, log),
+        assembly(root, nodes, pose, accessors, buffers, options.lenient, decoded, log) {
+    assembly.addMaterials();
+    assembly.addNodes();
+    assembly.dropUselessOpacity();
+    log.throwIfErrors();
+  }
+
+  scene::DiagnosticLog log;
+  UsedExtensions used;
+  Accessors accessors;
+  nlohmann::json posed;  ///< the content with the values that pointers animate; null: nothing is animated by them
+  Value root;
+  Pose pose;
+  NodeTree nodes;
+  SceneAssembly assembly;
+};
+
+/// A file, and what its scenes share. A view that frames the model and the default light stay as they are while the
+/// model moves: the view frames the whole motion, and the light is that of the model at rest.
+class GltfReader final : public scene::SceneReader {
+ public:
+  GltfReader(const scene::SceneFile& file, const scene::LoadOptions& options, bool isOften)
+      : file_(file),
+        options_(options),
+        container_(readContainer(file_)),
+        root_(container_.json, ""),
+        isAnimated_(root_.sizeOf("animations") > 0),
+        keepsImages_(isOften || isAnimated_),
+        buffers_(root_, container_.binary, file_, options_) {}
+
+  scene::LoadedScene at(std::optional<double> time) override {
+    return withSceneErrors(file_, [&] { return sceneAt(time); });
+  }
+
+ private:
+  /// The model at rest. Both members are empty if it has errors there that it does not have in motion.
+  struct Rest {
+    std::optional<Box> bounds{};
+    std::optional<DefaultLight> light{};
+  };
+
+  scene::LoadedScene sceneAt(std::optional<double> time) {
+    buffers_.beginScene();
+    Reading reading = read(time);
+    const std::uint64_t hash = hashOf(file_, optionsAt(time), buffers_, reading.assembly.textures());
+    SceneAssembly& assembly = reading.assembly;
+    scene::DiagnosticLog& log = reading.log;
+    if (time && !isAnimated_) log.warn("time", {}, settingWords("time") + " has no effect: the file has no animation");
+    assembly.reportOmissions();
+    scene::Scene& scene = assembly.scene();
+    const bool isPosed = time && isAnimated_;
+    if (isPosed && !rest_) rest_ = readRest();
+    const View view = viewOf(reading, time);
+    scene.camera = view.camera;
+    warnOfExtent(assembly.bounds(), log);
+    if (!options_.camera) warnOfSmallModel(view, assembly.bounds(), log);
+    const DefaultLight light = isPosed && rest_->light ? *rest_->light : defaultLightOf(scene, assembly.bounds());
+    const std::string lightText = lightUp(scene, light, options_);
+    warnOfShadows(scene, log);
+    setReach(assembly.bounds(), scene);
+    checkScene(scene, options_, log);
+    scene.name = std::filesystem::path(file_.name).filename().string();
+    scene.hash = hash;
+    scene::FileFacts facts = factsOf(reading.used, view.description, lightText);
+    if (assembly.hasOcclusion()) facts.emplace_back("not used", "occlusion textures (light is traced)");
+    return {std::move(scene), assembly.counts(), log.warnings(), std::move(facts), buffers_.files(), end()};
+  }
+
+  scene::LoadOptions optionsAt(std::optional<double> time) const {
+    scene::LoadOptions options = options_;
+    options.time = time;
+    return options;
+  }
+
+  Reading read(std::optional<double> time) {
+    return Reading(root_, buffers_, keepsImages_ ? &images_ : nullptr, optionsAt(time), file_.name);
+  }
+
+  View viewOf(Reading& reading, std::optional<double> time) {
+    const std::optional<Box> bounds = reading.assembly.bounds();
+    const auto framed = [&] { return time && isAnimated_ ? motion() : bounds; };
+    return chooseView(reading.root, reading.nodes, options_.camera, bounds, framed);
+  }
+
+  Rest readRest() {
+    try {
+      Reading reading = read(std::nullopt);
+      const std::optional<Box> bounds = reading.assembly.bounds();
+      reading.assembly.scene().camera = viewOf(reading, std::nullopt).camera;
+      return {bounds, defaultLightOf(reading.assembly.scene(), bounds)};
+    } catch (const FileError&) {
+      return {};
+    }
+  }
+
+  /// Returns nothing for a pose with errors.
+  std::optional<Box> boundsAt(double time) {
+    try {
+      return read(time).assembly.bounds();
+    } catch (const FileError&) {
+      return std::nullopt;
+    }
+  }
+
+  /// Returns the bounds of the model at rest and at several times of its animation.
+  const std::optional<Box>& motion() {
+    constexpr int kSteps = 8;
+    if (motion_) return *motion_;
+    motion_ = rest_->bounds;
+    for (int i = 0; i <= kSteps; ++i) {
+      const std::optional<Box> bounds = boundsAt(end().value_or(0) * i / kSteps);
+      if (bounds) *motion_ = *motion_ ? unionOf(**motion_, *bounds) : *bounds;
+    }
+    return *motion_;
+  }
+
+  /// Animations with errors have no end: they are refused when a scene has a time.
+  std::optional<double> end() {
+    if (!end_) {
+      try {
+        Accessors accessors(root_, buffers_);
+        end_.emplace(animationEnd(root_, options_.animation, accessors));
+      } catch (const FileError&) {
+        end_.emplace();
+      }
+    }
+    return *end_;
+  }
+
+  scene::SceneFile file_;
+  scene::LoadOptions options_;
+  Container container_;
+  Value root_;
+  bool isAnimated_;
+  bool keepsImages_;
+  Buffers buffers_;
+  DecodedImages images_{};
+  std::optional<Rest> rest_{};                  ///< once it was needed
+  std::optional<std::optional<Box>> motion_{};  ///< once it was needed
+  std::optional<std::optional<double>> end_{};  ///< once it was needed
+};
+
+std::unique_ptr<scene::SceneReader> openGltf(const scene::SceneFile& file, const scene::LoadOptions& options,
+                                             bool isOften) {
+  return withSceneErrors(file, [&] { return std::make_unique<GltfReader>(file, options, isOften); });
+}
+
+}  // namespace
+
+scene::Loader gltfLoader() { return {"glTF 2.0", {".gltf", ".glb"}, looksLikeGltf, openGltf}; }
 
 }  // namespace candela::gltf

@@ -6,7 +6,4 @@ namespace candela::gltf {
 
 scene::Loader gltfLoader();
 
-/// Loader::load of glTF.
-scene::LoadedScene loadGltf(const scene::SceneFile& file, const scene::LoadOptions& options);
-
 }  // namespace candela::gltf

@@ -185,14 +185,14 @@ std::size_t instanceCount(const Value& attributes, Accessors& accessors) {
 }  // namespace
 
 SceneAssembly::SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors,
-                             Buffers& buffers, bool lenient, scene::DiagnosticLog& log)
+                             Buffers& buffers, bool lenient, DecodedImages* decoded, scene::DiagnosticLog& log)
     : root_(root),
       nodes_(nodes),
       pose_(pose),
       accessors_(accessors),
       buffers_(buffers),
       log_(log),
-      textures_(root, buffers, lenient, log) {}
+      textures_(root, buffers, lenient, decoded, log) {}
 
 template <class Action>
 void SceneAssembly::attempt(const Action& action) {

@@ -18,9 +18,9 @@ namespace candela::gltf {
 /// Adds materials, meshes and lights to a scene. Errors are collected in the log, each with its place.
 class SceneAssembly {
  public:
-  /// All must outlive this object. `lenient` is that of the options.
+  /// All must outlive this object. `lenient` is that of the options. `decoded` is that of Textures.
   SceneAssembly(const Value& root, const NodeTree& nodes, const Pose& pose, Accessors& accessors, Buffers& buffers,
-                bool lenient, scene::DiagnosticLog& log);
+                bool lenient, DecodedImages* decoded, scene::DiagnosticLog& log);
 
   void addMaterials();
   /// Adds the meshes and lights of the visible nodes, in the order of NodeTree::visible(). Call addMaterials() first.

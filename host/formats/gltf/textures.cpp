@@ -109,7 +109,9 @@ std::optional<std::uint32_t> Textures::imageOf(const Value& texture) {
 std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
   const Value image = root_.require("images")[index];
   try {
-    images_.push_back(readImage(image));
+    DecodedImage read = imageAt(index);
+    images_.push_back(std::move(read.image));
+    if (read.fileHash) fileHashes_.push_back(*read.fileHash);
   } catch (const JsonError& error) {
     if (!isLenient_)
       throw JsonError(error,
@@ -126,11 +128,18 @@ std::optional<std::uint32_t> Textures::loadImage(std::size_t index) {
   return static_cast<std::uint32_t>(images_.size() - 1);
 }
 
-scene::TextureImage Textures::readImage(const Value& image) {
-  if (const std::optional<Value> view = image.find("bufferView")) return decode(image, buffers_.view(*view).bytes);
+DecodedImage Textures::imageAt(std::size_t index) {
+  const Value image = root_.require("images")[index];
+  if (decoded_ == nullptr) return readImage(image);
+  if (const std::optional<Value> view = image.find("bufferView")) buffers_.view(*view);  // it counts as read
+  if (!decoded_->contains(index)) decoded_->emplace(index, readImage(image));
+  return decoded_->at(index);
+}
+
+DecodedImage Textures::readImage(const Value& image) {
+  if (const std::optional<Value> view = image.find("bufferView")) return {decode(image, buffers_.view(*view).bytes)};
   const std::string bytes = buffers_.readUri(image.require("uri"));
-  fileHashes_.push_back(fnv1aOfText(bytes));
-  return decode(image, std::as_bytes(std::span(bytes)));
+  return {decode(image, std::as_bytes(std::span(bytes))), fnv1aOfText(bytes)};
 }
 
 scene::TextureImage Textures::decode(const Value& image, Bytes bytes) const {

@@ -9,12 +9,22 @@
 
 namespace candela::gltf {
 
+/// An image of the file, and the hash of its bytes if they are not in a buffer.
+struct DecodedImage {
+  scene::TextureImage image;
+  std::optional<std::uint64_t> fileHash{};
+};
+
+/// The images that were decoded for one scene of a file and are needed by the next, by index in the file.
+using DecodedImages = std::map<std::size_t, DecodedImage>;
+
 /// Reads the images that materials use, each once.
 class Textures {
  public:
   /// All must outlive this object. With `lenient`, images that cannot be read cause warnings instead of errors.
-  Textures(const Value& root, Buffers& buffers, bool lenient, scene::DiagnosticLog& log)
-      : root_(root), buffers_(buffers), isLenient_(lenient), log_(log) {}
+  /// `decoded`, which may be null, has the images of earlier scenes of the file, and receives those of this one.
+  Textures(const Value& root, Buffers& buffers, bool lenient, DecodedImages* decoded, scene::DiagnosticLog& log)
+      : root_(root), buffers_(buffers), isLenient_(lenient), decoded_(decoded), log_(log) {}
 
   /// Returns the texture to which a `textureInfo` such as `baseColorTexture` refers. Reads the image unless it was
   /// read before. Returns nothing, with a warning, if the texture has no image, or coordinates that are not read.
@@ -31,11 +41,14 @@ class Textures {
   /// Returns the index in images_ of an image of the file; nothing, with a warning, if it cannot be read.
   std::optional<std::uint32_t> loadImage(std::size_t index);
   scene::TextureImage decode(const Value& image, Bytes bytes) const;
-  scene::TextureImage readImage(const Value& image);
+  DecodedImage readImage(const Value& image);
+  /// Returns an image of the file, decoded now or for an earlier scene.
+  DecodedImage imageAt(std::size_t index);
 
   Value root_;
   Buffers& buffers_;
   bool isLenient_;
+  DecodedImages* decoded_;
   scene::DiagnosticLog& log_;
   std::vector<scene::TextureImage> images_{};
   /// Into images_, by index in the file; nothing for images that cannot be read.

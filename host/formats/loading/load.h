@@ -20,7 +20,8 @@ struct LoadOptions {
   std::optional<std::string> camera{};     ///< name or index of one of the file's cameras; "none": a view of everything
   std::optional<double> time{};            ///< seconds at which an animation is evaluated; empty: at rest
   std::optional<std::string> animation{};  ///< name or index of one of the file's animations; empty: the first
-  EnvironmentRequest environment{};        ///< replaces the background, and the default light of glTF
+  double orbit = 0;  ///< degrees by which the view is turned about the scene, see formats::orbitedCamera()
+  EnvironmentRequest environment{};  ///< replaces the background, and the default light of glTF
 
   bool hasEnvironment() const { return !environment.source.empty(); }
 };
@@ -39,6 +40,8 @@ struct LoadedScene {
   FileFacts facts{};
   /// The files besides the scene's own that were read or tried: images, buffers, an environment, the folder of a sky.
   std::vector<std::filesystem::path> files{};
+  /// Time of the last key frame of the animation in seconds; empty: the file has none.
+  std::optional<double> animationEnd{};
 };
 
 /// The folder of a file, or "." where its path has none.

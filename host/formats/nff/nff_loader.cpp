@@ -105,10 +105,6 @@ std::uint64_t hashOf(std::string_view text, const Scene& scene) {
   return hash;
 }
 
-}  // namespace
-
-Loader nffLoader() { return {"NFF or P3F", {".nff", ".p3f"}, recognisesNff, loadNff}; }
-
 LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
   if (isWorldToolKit(file.bytes)) {
     throw SceneError(
@@ -134,6 +130,34 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
           .warnings = parser.log.warnings(),
           .files = parser.guard.requiredPaths()};
 }
+
+/// A file, which looks the same at all times.
+class NffReader final : public SceneReader {
+ public:
+  NffReader(const SceneFile& file, const LoadOptions& options, bool isOften)
+      : file_(file), options_(options), isOften_(isOften) {}
+
+  LoadedScene at(std::optional<double> time) override {
+    options_.time = time;
+    if (!isOften_) return loadNff(file_, options_);
+    if (!loaded_) loaded_ = loadNff(file_, options_);
+    return *loaded_;
+  }
+
+ private:
+  SceneFile file_;
+  LoadOptions options_;
+  bool isOften_;
+  std::optional<LoadedScene> loaded_{};
+};
+
+std::unique_ptr<SceneReader> openNff(const SceneFile& file, const LoadOptions& options, bool isOften) {
+  return std::make_unique<NffReader>(file, options, isOften);
+}
+
+}  // namespace
+
+Loader nffLoader() { return {"NFF or P3F", {".nff", ".p3f"}, recognisesNff, openNff}; }
 
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options) {

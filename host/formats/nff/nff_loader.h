@@ -11,9 +11,6 @@ namespace candela::scene {
 /// recognised too, and refused with a message that says so.
 Loader nffLoader();
 
-/// Implements Loader::load for NFF and P3F.
-LoadedScene loadNff(const SceneFile& file, const LoadOptions& options);
-
 /// Reads NFF or P3F from memory. `name` is used in messages; `env` paths are relative to `folder`.
 LoadedScene parseScene(const std::string& text, const std::string& name, const std::filesystem::path& folder,
                        const LoadOptions& options = {});

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "host/scene/same_scene.h"
 #include "tests/formats/gltf/gltf_file.h"
 
 namespace candela::gltf {
@@ -177,6 +178,47 @@ TEST_CASE("an animated node has no matrix, and channels without a node are skipp
   GltfFile byPointer = pointed("/nodes/0/translation", {0, 0, 0, 8, 0, 0}, "VEC3", 3);
   byPointer.root["nodes"][0]["matrix"] = file.root["nodes"][0]["matrix"];
   CHECK(errorsOf(byPointer.text(), {.time = 1}).find("an animated node has a matrix") != std::string::npos);
+}
+
+TEST_CASE("a file that is read once gives the scenes of single readings, in any order") {
+  GltfFile file = animated("translation", {0, 0, 0, 8, 0, 0}, "VEC3", 3, "LINEAR");
+  const std::string text = file.text();
+  const scene::SceneFile source{text, "test.gltf", "."};
+  const auto reader = gltfLoader().open(source, {}, true);
+  for (const std::optional<double> time : {std::optional<double>(2), {}, {3}, {2}, {0.5}}) {
+    const scene::LoadedScene often = reader->at(time);
+    const scene::LoadedScene once = gltfLoader().open(source, {}, false)->at(time);
+    CHECK(often.scene.hash == once.scene.hash);
+    CHECK(often.scene.camera == once.scene.camera);
+    CHECK(scene::differOnlyInCamera(often.scene, once.scene));
+    CHECK(often.animationEnd == 3.0);
+  }
+}
+
+TEST_CASE("the view that frames a moving model and the default light do not move") {
+  const GltfFile file = animated("translation", {0, 0, 0, 8, 0, 0}, "VEC3", 3, "LINEAR");
+  const scene::Scene first = sceneOf(file, {.time = 1}), last = sceneOf(file, {.time = 3});
+  CHECK(first.camera == last.camera);
+  REQUIRE(first.punctualLights.size() == 1);
+  CHECK(first.punctualLights[0].direction == last.punctualLights[0].direction);
+  CHECK(first.camera->at.x == Approx(4.5));  // the middle of 0 to 9
+  CHECK(sceneOf(file, {}).camera->at.x == Approx(0.5));
+}
+
+TEST_CASE("a light that an animation switches on does not remove the default light") {
+  GltfFile file = animated("translation", {0, 0, 0, 0, 0, 0}, "VEC3", 3, "LINEAR");
+  file.root["extensionsUsed"] = {"KHR_animation_pointer"};
+  file.root["materials"] = json::array({json{{"emissiveFactor", {0, 0, 0}}}});
+  file.primitive()["material"] = 0;
+  file.root["animations"][0]["channels"][0]["target"] = {
+      {"path", "pointer"}, {"extensions", {{"KHR_animation_pointer", {{"pointer", "/materials/0/emissiveFactor"}}}}}};
+  const std::size_t values = file.vectors({0, 0, 0, 1, 1, 1}, "VEC3", 3);
+  file.root["animations"][0]["samplers"][0]["output"] = values;
+  const scene::Scene dark = sceneOf(file, {.time = 1}), bright = sceneOf(file, {.time = 3});
+  CHECK(dark.materials[0].emission == glm::vec3(0));
+  CHECK(bright.materials[0].emission == glm::vec3(1));
+  CHECK(dark.punctualLights.size() == 1);
+  CHECK(bright.punctualLights == dark.punctualLights);
 }
 
 }  // namespace candela::gltf

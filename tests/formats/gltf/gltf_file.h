@@ -70,7 +70,7 @@ std::string glbOf(const std::vector<std::pair<std::uint32_t, std::string>>& chun
 
 inline scene::LoadedScene loadText(const std::string& bytes, const scene::LoadOptions& options = {},
                                    const std::filesystem::path& folder = ".") {
-  return loadGltf({bytes, "test.gltf", folder}, options);
+  return gltfLoader().open({bytes, "test.gltf", folder}, options, false)->at(options.time);
 }
 inline scene::LoadedScene load(const GltfFile& file, const scene::LoadOptions& options = {}) {
   return loadText(file.text(), options);

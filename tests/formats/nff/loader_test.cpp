@@ -9,12 +9,12 @@
 namespace candela::scene {
 namespace {
 
-LoadedScene loadNothing(const SceneFile&, const LoadOptions&) { return {}; }
+std::unique_ptr<SceneReader> openNothing(const SceneFile&, const LoadOptions&, bool) { return {}; }
 
 /// A binary format with a signature, and a text format that recognises nothing.
 const std::vector<Loader> kLoaders{
-    {"Signed", {".sig", ".bin"}, [](std::string_view bytes) { return bytes.starts_with("SIG:"); }, loadNothing},
-    {"Plain", {".txt"}, [](std::string_view) { return false; }, loadNothing}};
+    {"Signed", {".sig", ".bin"}, [](std::string_view bytes) { return bytes.starts_with("SIG:"); }, openNothing},
+    {"Plain", {".txt"}, [](std::string_view) { return false; }, openNothing}};
 
 std::string chosen(std::string_view bytes, const std::string& name) {
   return std::string(chooseLoader(kLoaders, {bytes, name, "."}).name);

@@ -24,7 +24,7 @@ std::string generatedText(const std::string& kind, std::uint32_t size) {
 scene::LoadedScene generatedScene(const std::string& kind, std::uint32_t size) {
   const std::string text = generatedText(kind, size);
   const scene::SceneFile file{text, kind, "."};
-  return chooseLoader(formats::allLoaders(), file).load(file, {});
+  return formats::loadScene(file, {});
 }
 
 }  // namespace candela

@@ -1,0 +1,23 @@
+// Compares all members of scenes but those that a view changes.
+#include "host/scene/same_scene.h"
+
+#include <tuple>
+
+namespace candela::scene {
+namespace {
+
+/// The binding names every member of a scene, so that a new one is not forgotten: it does not compile without it.
+auto contentOf(const Scene& scene) {
+  const auto& [name, camera, background, sky, environment, up, materials, images, primitives, spheres, meshes, boxes,
+               cones, planes, objectStarts, objectNames, materialNames, pointLights, punctualLights, requestedAccel,
+               requestedSamples, exactMean, hash] = scene;
+  return std::tie(background, sky, environment, up, materials, images, primitives, spheres, meshes, boxes, cones,
+                  planes, objectStarts, objectNames, materialNames, pointLights, punctualLights, requestedAccel,
+                  requestedSamples, exactMean);
+}
+
+}  // namespace
+
+bool differOnlyInCamera(const Scene& a, const Scene& b) { return contentOf(a) == contentOf(b); }
+
+}  // namespace candela::scene
