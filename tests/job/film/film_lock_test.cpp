@@ -68,6 +68,26 @@ TEST_CASE("a film is locked once at a time, under any of its names, and nothing 
   CHECK(FilmLock(folder / "link.exr").isHeld());
 }
 
+TEST_CASE("parts of a sequence are locked beside each other, and the last lock removes its file") {
+  const TemporaryFolder folder;
+  const std::filesystem::path pattern = folder / "frame.####.png";
+  std::optional<FilmLock> first(std::in_place, pattern, film::LockedPart{0, 10});
+  std::optional<FilmLock> second(std::in_place, pattern, film::LockedPart{10, 5});
+  CHECK(first->isHeld());
+  CHECK(second->isHeld());
+  for (const film::LockedPart part : {film::LockedPart{9, 1}, {14, 20}, {0, 100}, {}}) {
+    INFO(part.first << " " << part.count);
+    CHECK_THROWS_WITH(FilmLock(pattern, part), Catch::Contains("another render is writing"));
+  }
+  CHECK(FilmLock(pattern, {15, 1}).isHeld());
+  first.reset();
+  CHECK(folder.fileCount() == 1);
+  CHECK(FilmLock(pattern, {0, 10}).isHeld());
+  CHECK_THROWS_AS(FilmLock(pattern, {12, 1}), FileError);
+  second.reset();
+  CHECK(folder.fileCount() == 0);
+}
+
 TEST_CASE("a lock that is moved is held by the new object") {
   const TemporaryFolder folder;
   FilmLock lock(folder / "a.exr");
