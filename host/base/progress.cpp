@@ -55,14 +55,14 @@ bool Progress::isDue(double now, double fraction) const {
   return waited >= kPlainMaxInterval || (waited >= kPlainInterval && fraction >= shownFraction_ + kPlainStep);
 }
 
-void Progress::update(double fraction, std::uint64_t samplesDone) {
+void Progress::update(double fraction, std::uint64_t samplesDone, const std::string& head) {
   if (style_ == ProgressStyle::none) return;
   const std::lock_guard lock(mutex_);
   const double now = clock_();
   if (!isDue(now, fraction)) return;
   shownAt_ = now;
   shownFraction_ = fraction;
-  const std::string text = progressText(fraction, samplesDone, now - start_);
+  const std::string text = head + progressText(fraction, samplesDone, now - start_);
   if (style_ == ProgressStyle::terminal) {
     sink_ << kClearLine << text << std::flush;
   } else {

@@ -30,7 +30,8 @@ class Progress {
 
   /// Reports that `fraction`, in [0, 1], of the work is done. Thread-safe and cheap. A terminal gets at most ten
   /// updates per second. A plain log gets a line every 10 %, but not within 5 s of the last line, or else every minute.
-  void update(double fraction, std::uint64_t samplesDone);
+  /// `head` begins the text.
+  void update(double fraction, std::uint64_t samplesDone, const std::string& head = {});
 
  private:
   bool isDue(double now, double fraction) const;

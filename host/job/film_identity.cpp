@@ -79,7 +79,8 @@ std::span<const FilmSetting> filmSettings() {
                   kFirstOrNone},
       FilmSetting{"time", [](const Job& job) { return textOr(job.reading.time, kAtRest); }, nullptr, false, kAtRest},
       FilmSetting{"animation", [](const Job& job) { return textOr(job.reading.animation, kFirst); }, kFirst, false,
-                  kFirst}};
+                  kFirst},
+      FilmSetting{"orbit", [](const Job& job) { return fmt::to_string(job.reading.orbit); }, "0"}};
   return kSettings;
 }
 

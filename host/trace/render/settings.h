@@ -166,6 +166,8 @@ struct RenderSettings {
   StructureSettings structure;
   ExecutionSettings execution;
 
+  bool operator==(const RenderSettings&) const = default;
+
  private:
   explicit RenderSettings(const RenderRequest& request);
   friend RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
