@@ -5,6 +5,7 @@
 
 #include "host/app/cli/commands.h"
 #include "host/app/cli/file_kinds.h"
+#include "host/app/cli/frame_arguments.h"
 #include "host/app/cli/option_table.h"
 #include "host/base/errors.h"
 #include "host/base/setting_words.h"
@@ -51,7 +52,37 @@ void requireTogether(const GeneralArguments& arguments, const std::string& optio
 void requireCompleteOptions(const GeneralArguments& arguments) {
   requireTogether(arguments, "checkpoint-every", "checkpoint");
   requireTogether(arguments, "resume-anyway", "resume");
-  requireTogether(arguments, "animation", "time");
+}
+
+// An animation has no effect on a scene at rest.
+void requireTime(const GeneralArguments& arguments) {
+  if (!arguments.given.contains("--frames")) requireTogether(arguments, "animation", "time");
+}
+
+void requirePattern(const std::string& option, const std::filesystem::path& file) {
+  if (file.empty() || job::isFramePattern(file)) return;
+  throw UsageError(fmt::format("{} {}: the name lacks a place for the number of the frame, as in frame.####.png",
+                               settingWords(option), file.string()));
+}
+
+void requirePatterns(const RenderArguments& arguments) {
+  for (const std::filesystem::path& output : arguments.outputs) requirePattern("output", output);
+  requirePattern("checkpoint", arguments.film.checkpoint);
+  requirePattern("resume", arguments.film.resume);
+  requirePattern("json", arguments.json);
+}
+
+void requireSequence(const RenderArguments& arguments) {
+  if (!arguments.isSequence()) {
+    requireTogether(arguments, "fps", "frames");
+    if (arguments.seedIsFrame) throw UsageError(settingWords("seed", "frame") + " needs " + settingWords("frames"));
+    return;
+  }
+  if (arguments.loadOptions.time && hasTimes(arguments)) {
+    throw UsageError(fmt::format("{} and {} both state the time of a frame", settingWords("time"),
+                                 settingWords(arguments.frames ? "frames" : "fps")));
+  }
+  requirePatterns(arguments);
 }
 
 void requireFilmFormat(const std::filesystem::path& film) {
@@ -83,6 +114,8 @@ void requireOneReaderOfStdout(const Arguments& arguments) {
 
 void checkOptions(const Arguments& arguments) {
   requireCompleteOptions(partOf<GeneralArguments>(arguments));
+  requireTime(partOf<GeneralArguments>(arguments));
+  if (const auto* render = std::get_if<RenderArguments>(&arguments)) requireSequence(*render);
   if (const auto* request = findPart<RequestArguments>(arguments)) requireTreeDepth(*request);
 }
 

@@ -11,6 +11,7 @@
 #include "host/base/log.h"
 #include "host/formats/loading/load.h"
 #include "host/image/image.h"
+#include "host/job/sequence.h"
 #include "host/judge/verify/light_test.h"
 #include "host/trace/render/request.h"
 #include "host/trace/render/session.h"
@@ -63,6 +64,16 @@ struct OpenDeviceArguments : DeviceArguments {
 /// A scene and how it is traced.
 struct TracingArguments : SceneArguments, RequestArguments, OpenDeviceArguments {
   bool untuned = false;  ///< `auto` has its built-in meaning
+};
+
+/// The frames of a sequence. Without any, a command renders one image.
+struct SequenceArguments {
+  std::optional<job::FrameRange> frames;   ///< empty: those of a turn, or no sequence
+  double framesPerSecond = 24;             ///< of the animation
+  std::optional<std::uint32_t> turntable;  ///< number of frames in which the camera turns once about the scene
+  bool seedIsFrame = false;                ///< the number of a frame is its seed
+
+  bool isSequence() const { return frames || turntable; }
 };
 
 /// How images are shown, in files of 8 bits and elsewhere.

@@ -34,7 +34,12 @@ enum class Command : unsigned {
   report = 131072
 };
 
-struct RenderArguments : TracingArguments, ImageFileArguments, DenoisingArguments, StrictArguments, JsonArguments {
+struct RenderArguments : TracingArguments,
+                         SequenceArguments,
+                         ImageFileArguments,
+                         DenoisingArguments,
+                         StrictArguments,
+                         JsonArguments {
   static constexpr Command command = Command::render;
   job::FilmPolicy film;
   std::optional<ServerAddress> displayServer;  ///< that shows the image while it is computed

@@ -11,6 +11,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::film, "Films: checkpoints and parts of a render"},
     GroupTitle{OptionGroup::image, "Image"},
     GroupTitle{OptionGroup::sceneFile, "Reading scenes"},
+    GroupTitle{OptionGroup::sequence, "Sequences of frames"},
     GroupTitle{OptionGroup::execution,
                "Execution (only --device affects the image, by rounding; --accel affects the view `cost`)"},
     GroupTitle{OptionGroup::comparison, "Comparing images"},

@@ -115,17 +115,13 @@ Notation<std::uint64_t> byteCount() {
           [=](const std::uint64_t& value) { return fmt::format("{}MiB", static_cast<double>(value) / kMiB); }};
 }
 
-Notation<render::SampleRange> sampleRange(std::uint32_t highest) {
-  const auto parse = [=](const std::string& word) -> std::optional<render::SampleRange> {
-    const std::size_t colon = word.find(':');
-    if (colon == std::string::npos) return std::nullopt;
-    const auto first = parseWhole(std::string_view(word).substr(0, colon), 0, highest);
-    const auto end = parseWhole(std::string_view(word).substr(colon + 1), 0, highest);
-    if (!first || !end || *first >= *end) return std::nullopt;
-    return render::SampleRange{*first, *end};
-  };
-  const auto print = [](const render::SampleRange& range) { return fmt::format("{}:{}", range.first, range.end); };
-  return {"A:B", fmt::format("A:B with A below B, and both from 0 to {}", highest), parse, print};
+std::optional<std::pair<std::uint32_t, std::uint32_t>> parseRange(const std::string& word, std::uint32_t highest) {
+  const std::size_t colon = word.find(':');
+  if (colon == std::string::npos) return std::nullopt;
+  const auto first = parseWhole(std::string_view(word).substr(0, colon), 0, highest);
+  const auto end = parseWhole(std::string_view(word).substr(colon + 1), 0, highest);
+  if (!first || !end || *first >= *end) return std::nullopt;
+  return std::pair(*first, *end);
 }
 
 Notation<render::Window> window(std::uint32_t highest) {

@@ -41,8 +41,9 @@ Notation<PixelPosition> pixelPosition(std::uint32_t highest);
 Notation<double> duration(double lowest);
 /// A number of bytes, at least 1 MiB: "4GiB", "1.5G", "512MiB".
 Notation<std::uint64_t> byteCount();
-/// "A:B", 0 <= A < B <= `highest`.
-Notation<render::SampleRange> sampleRange(std::uint32_t highest);
+/// "A:B", 0 <= A < B <= `highest`: the members `first` and `end` of a range.
+template <class Range>
+Notation<Range> range(std::uint32_t highest);
 /// "X,Y,W,H", X and Y below `highest`, W and H from 1 to `highest`.
 Notation<render::Window> window(std::uint32_t highest);
 /// Short names of the mattes.
@@ -69,6 +70,19 @@ template <class T>
 Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent);
 
 // ---------------------------------------------------------------------------------------------------------------------
+
+/// The numbers of "A:B"; nothing unless 0 <= A < B <= `highest`.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> parseRange(const std::string& word, std::uint32_t highest);
+
+template <class Range>
+Notation<Range> range(std::uint32_t highest) {
+  const auto parse = [=](const std::string& word) -> std::optional<Range> {
+    const auto numbers = parseRange(word, highest);
+    return numbers ? std::optional(Range{numbers->first, numbers->second}) : std::nullopt;
+  };
+  const auto print = [](const Range& value) { return fmt::format("{}:{}", value.first, value.end); };
+  return {"A:B", fmt::format("A:B with A below B, and both from 0 to {}", highest), parse, print};
+}
 
 /// Returns "a, b or c".
 std::string joinAlternatives(const std::vector<std::string>& words);

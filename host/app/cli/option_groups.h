@@ -19,6 +19,7 @@ inline constexpr std::uint32_t kAnySize = std::numeric_limits<std::uint32_t>::ma
 
 std::vector<Option> imageOptions();
 std::vector<Option> sceneFileOptions();
+std::vector<Option> sequenceOptions();
 std::vector<Option> executionOptions();
 std::vector<Option> outputOptions();
 std::vector<Option> filmOptions();

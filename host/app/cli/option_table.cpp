@@ -11,9 +11,9 @@ const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
     for (const auto& part :
-         {imageOptions(), sceneFileOptions(), executionOptions(), outputOptions(), filmOptions(), comparisonOptions(),
-          verificationOptions(), conformanceOptions(), captureOptions(), explanationOptions(), benchmarkOptions(),
-          tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
+         {imageOptions(), sceneFileOptions(), sequenceOptions(), executionOptions(), outputOptions(), filmOptions(),
+          comparisonOptions(), verificationOptions(), conformanceOptions(), captureOptions(), explanationOptions(),
+          benchmarkOptions(), tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

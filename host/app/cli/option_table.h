@@ -13,6 +13,7 @@ namespace candela::cli {
 enum class OptionGroup {
   image,
   sceneFile,
+  sequence,
   execution,
   film,
   output,

@@ -15,6 +15,7 @@
 #include "host/app/cli/output_check.h"
 #include "host/app/cli/render_images.h"
 #include "host/app/cli/render_job.h"
+#include "host/app/cli/render_sequence.h"
 #include "host/app/cli/statistics_report.h"
 #include "host/app/cli/text_output.h"
 #include "host/base/counted.h"
@@ -46,9 +47,12 @@ std::string doneText(const RenderReport& report, bool isTimeUp) {
   return counted(total, "sample") + " per pixel";
 }
 
-void summarise(const RenderReport& report, bool isTimeUp, const Log& log) {
-  log.note(fmt::format("{} pixels, {}, {:.2f} s on {}", extentText(report.job.settings.image.window().extent()),
-                       doneText(report, isTimeUp), report.totalSeconds, report.result.statistics.device));
+void summarise(const RenderReport& report, bool isTimeUp, bool isFrame, const Log& log) {
+  const std::string text = fmt::format(
+      "{} pixels, {}, {:.2f} s on {}", extentText(report.job.settings.image.window().extent()),
+      doneText(report, isTimeUp), report.totalSeconds, report.result.statistics.device);
+  if (isFrame) return log.detail(text);
+  log.note(text);
 }
 
 image::Image imageOf(const RenderJob& job, const RenderArguments& arguments, const render::RenderResult& result,
@@ -81,7 +85,7 @@ std::string shownName(const RenderJob& job, const RenderArguments& arguments) {
 
 }  // namespace
 
-ExitCode run(const RenderArguments& arguments, const Log& log) {
+ExitCode renderImage(const RenderArguments& arguments, const RenderSteps& steps, const Log& log) {
   const double start = monotonicSeconds();
   for (const auto& file : arguments.outputs) requireWritableImage(file);
   requireLayerFile(arguments);
@@ -91,21 +95,23 @@ ExitCode run(const RenderArguments& arguments, const Log& log) {
   // From here on, SIGUSR1 does not end the program, and after the scene has been read, SIGINT and SIGTERM end the
   // render.
   std::atomic<bool>& writeRequested = watchWriteRequests();
-  const RenderJob job = loadJob(withDenoiseLayers(arguments), log);
+  const RenderJob job = steps.load(withDenoiseLayers(arguments));
   requireDenoisable(arguments, job.settings.image);
-  job::JobControl control{&watchInterrupts(), arguments.film.checkpoint.empty() ? nullptr : &writeRequested,
-                          progressStyle(log.verbosity())};
-  control.start = start;
+  if (steps.isDone && steps.isDone(arguments, job)) return ExitCode::done;
+  job::JobControl control = steps.control;
+  control.stop = &watchInterrupts();
+  control.writeRequested = arguments.film.checkpoint.empty() ? nullptr : &writeRequested;
   std::optional<DisplayStream> display;
   if (arguments.displayServer) {
     display.emplace(*arguments.displayServer, shownName(job, arguments), log);
     control.show = [&](const image::Film& film) { display->show(pictureOf(film, job.settings.image.hasAlpha(), {})); };
   }
-  const job::JobResult ended = job::runJob(job, openDevice(job.arguments, log), control, log);
+  const job::JobResult ended = steps.trace(job, control);
   const render::RenderResult& result = ended.result;
 
   const double writeStart = monotonicSeconds();
-  const bool hasPictures = writePictures(job, arguments, result, log);
+  const bool isWanted = !steps.isFrame || !result.interrupted;
+  const bool hasPictures = !isWanted || writePictures(job, arguments, result, log);
   const double end = monotonicSeconds();
   RenderReport report{job, result, end - writeStart, end - start, {}, ended.work};
   report.badSamples.add(result.film, job.settings.image);
@@ -113,7 +119,7 @@ ExitCode run(const RenderArguments& arguments, const Log& log) {
   if (arguments.film.checkpoint.empty() && writeRequested) {
     log.warning("SIGUSR1 was ignored: it writes the film of --checkpoint, and this render has none");
   }
-  summarise(report, ended.isTimeUp, log);
+  summarise(report, ended.isTimeUp, steps.isFrame, log);
   if (arguments.printStatistics) textStream(arguments.outputs) << toText(report) << std::flush;
   writeJson(arguments.json, toJson(report));
   if (ended.failure) {
@@ -123,6 +129,17 @@ ExitCode run(const RenderArguments& arguments, const Log& log) {
   if (ended.isFilmLost || !hasPictures) return ExitCode::file;
   const ExitCode code = result.interrupted ? ExitCode::interrupted : ExitCode::done;
   return strictly(code, result.statistics.badSamples, arguments, log);
+}
+
+ExitCode run(const RenderArguments& arguments, const Log& log) {
+  if (arguments.isSequence()) return renderSequence(arguments, log);
+  RenderSteps steps;
+  steps.control.line = progressStyle(log.verbosity());
+  steps.load = [&](const RenderArguments& one) { return loadJob(one, log); };
+  steps.trace = [&](const RenderJob& job, const job::JobControl& control) {
+    return job::runJob(job, openDevice(job.arguments, log), control, log);
+  };
+  return renderImage(arguments, steps, log);
 }
 
 }  // namespace candela::cli

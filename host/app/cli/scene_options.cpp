@@ -1,4 +1,4 @@
-// Options that decide the image, and options of the scene file.
+// Options that decide the image, options of the scene file, and those of sequences.
 #include "host/app/cli/option_groups.h"
 #include "host/app/cli/option_kinds.h"
 
@@ -6,6 +6,7 @@ namespace candela::cli {
 namespace {
 
 constexpr std::uint32_t kMaxSegments = 1u << 20;
+constexpr std::uint32_t kMaxFrame = 1u << 24;
 constexpr float kMinReach = 1e-30f;
 constexpr float kMaxReach = 1e30f;
 
@@ -14,6 +15,22 @@ const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", fal
 std::string defaultDepths() {
   return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
                      defaultMaxDepth(render::Integrator::whitted));
+}
+
+Notation<std::uint32_t> seedNumber() { return wholeNumber(0, std::numeric_limits<std::uint32_t>::max()); }
+
+/// An option for the seed that also accepts the word `frame`.
+Option seedOfFrames(Option option) {
+  constexpr const char* kFrame = "frame";
+  option.expected += fmt::format(", or {}", kFrame);
+  option.apply = [number = option.apply](Arguments& arguments, const std::string& word) {
+    partOf<SequenceArguments>(arguments).seedIsFrame = word == kFrame;
+    return word == kFrame || number(arguments, word);
+  };
+  option.show = [number = option.show](const Arguments& arguments) {
+    return partOf<SequenceArguments>(arguments).seedIsFrame ? std::vector<std::string>{kFrame} : number(arguments);
+  };
+  return option;
 }
 
 }  // namespace
@@ -26,8 +43,8 @@ std::vector<Option> imageOptions() {
   return {
     valued<TracingArguments, kTracingButVerify & ~kView>({"--spp", kGroup, "samples per pixel; 0: one ray through the centre of each pixel, without antialiasing"},
            orAbsent(wholeNumber(0, render::kMaxSampleCount), defaultSamples), [](auto& a) -> auto& { return a.request.sampleCount; }),
-    valued<TracingArguments>({"--seed", kGroup, "seed of the random numbers"},
-           wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.request.image.seed; }),
+    valued<TracingArguments, commandsWith<TracingArguments> & ~kRender>({"--seed", kGroup, "seed of the random numbers"}, seedNumber(), [](auto& a) -> auto& { return a.request.image.seed; }),
+    seedOfFrames(valued<RenderArguments>({"--seed", kGroup, "seed of the random numbers; `frame`: each frame of a sequence has its number as its seed"}, seedNumber(), [](auto& a) -> auto& { return a.request.image.seed; })),
     valued<TracingArguments>({"--size", kGroup, "image size in pixels"},
            orAbsent(extent("WxH", image::kMaxImageSide), "the scene's"), [](auto& a) -> auto& { return a.request.size; }),
     valued<TracingArguments>({"--max-depth", kGroup, "maximum number of rays in a path, counting the camera ray"},
@@ -84,6 +101,20 @@ std::vector<Option> sceneFileOptions() {
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "the pose at rest"), [](auto& a) -> auto& { return a.loadOptions.time; }),
     valued<SceneArguments>({"--animation", kGroup, "for glTF: name or index of the animation that --time applies to"},
            orAbsent(text("NAME|N", "an animation"), "the first"), [](auto& a) -> auto& { return a.loadOptions.animation; }),
+    valued<SceneArguments>({"--orbit", kGroup, "angle by which the camera is turned about the centre of the scene, about the axis that points up, counterclockwise seen from above"},
+           realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.orbit; }),
+  };
+}
+
+std::vector<Option> sequenceOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::sequence;
+  return {
+    valued<RenderArguments>({"--frames", kGroup, "render the frames A to B - 1 of an animation, each at its number divided by --fps; in the names of files, the number replaces the last run of #: frame.####.png"},
+           orAbsent(range<job::FrameRange>(kMaxFrame), "none"), [](auto& a) -> auto& { return a.frames; }),
+    valued<RenderArguments>({"--fps", kGroup, "frames per second"},
+           realNumber<double>("F", 1e-3, 1e6), [](auto& a) -> auto& { return a.framesPerSecond; }),
+    valued<RenderArguments>({"--turntable", kGroup, "render N frames in which the camera turns once about the scene: see --orbit; with --fps, the animation plays as well"},
+           orAbsent(wholeNumber(1, kMaxFrame), "none"), [](auto& a) -> auto& { return a.turntable; }),
   };
 }
 // clang-format on

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "host/app/cli/frame_arguments.h"
 #include "host/app/cli/option_table.h"
 #include "host/base/errors.h"
 #include "host/base/setting_words.h"
@@ -85,7 +86,8 @@ void requireOneStdout(const Arguments& arguments) {
                                outputs[1].file.string()));
 }
 
-/// Returns the files that the command line names for reading, without a film that the render resumes and replaces.
+/// Returns the files that the command line names for reading, without a film, or pictures of a sequence, that the
+/// render resumes and replaces.
 std::vector<fs::path> inputsOf(const Arguments& arguments) {
   const std::vector<std::string>& files = partOf<GeneralArguments>(arguments).files;
   std::vector<fs::path> inputs, films;
@@ -99,7 +101,8 @@ std::vector<fs::path> inputsOf(const Arguments& arguments) {
   if (readsFilms) films.assign(files.begin(), files.end());
   if (const auto* render = std::get_if<RenderArguments>(&arguments)) {
     const fs::path& resumed = render->film.resume;
-    if (!resumed.empty() && !areSameFile(resumed, render->film.checkpoint)) films.push_back(resumed);
+    const bool isReplaced = areSameFile(resumed, render->film.checkpoint) || resumesPictures(*render);
+    if (!resumed.empty() && !isReplaced) films.push_back(resumed);
   }
   for (const fs::path& film : films) inputs.insert(inputs.end(), {film, film::workFile(film)});
   return inputs;

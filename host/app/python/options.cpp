@@ -22,7 +22,7 @@ using cli::OptionGroup;
 
 const FunctionOptions kLoadOptions{"load", Command::check, {OptionGroup::sceneFile}};
 const FunctionOptions kSceneOptions{
-    "Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time", "--animation"}};
+    "Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time", "--animation", "--orbit"}};
 const FunctionOptions kRenderOptions{"render",
                                      Command::render,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::film},

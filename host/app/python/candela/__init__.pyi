@@ -243,6 +243,7 @@ def load(
     camera: str | int | None = None,
     time: float | None = None,
     animation: str | int | None = None,
+    orbit: float | None = None,
 ) -> Scene: ...
 def render(
     scene: Scene,

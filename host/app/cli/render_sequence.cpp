@@ -1,0 +1,270 @@
+// The loop over the frames of a sequence: what they share, which of them are missing, and their common progress.
+#include "host/app/cli/render_sequence.h"
+
+#include <fmt/format.h>
+
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/app/cli/frame_arguments.h"
+#include "host/app/cli/output_check.h"
+#include "host/app/cli/render_images.h"
+#include "host/app/cli/separate_files.h"
+#include "host/base/counted.h"
+#include "host/base/interrupt.h"
+#include "host/base/progress.h"
+#include "host/base/setting_words.h"
+#include "host/base/version.h"
+#include "host/formats/load_scene.h"
+#include "host/job/film_identity.h"
+#include "host/job/frame_renderer.h"
+
+namespace candela::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Passes on each warning, note and detail once, since most are the same for all frames.
+class OnceLog final : public Log {
+ public:
+  explicit OnceLog(const Log& log) : Log(std::cerr, log.verbosity()), log_(log) {}
+
+  void problem(const std::string& text) const override { log_.problem(text); }
+  void warning(const std::string& text) const override {
+    if (isNew(text)) log_.warning(text);
+  }
+  void note(const std::string& text) const override {
+    if (isNew(text)) log_.note(text);
+  }
+  void detail(const std::string& text) const override { log_.detail(text); }
+
+ private:
+  bool isNew(const std::string& text) const { return seen_.insert(text).second; }
+
+  const Log& log_;
+  mutable std::set<std::string> seen_{};
+};
+
+/// Returns the path by which the sequence is locked: that of its films, or else of its first pictures; empty if it
+/// writes neither.
+fs::path lockedPattern(const RenderArguments& arguments) {
+  if (!arguments.film.checkpoint.empty()) return arguments.film.checkpoint;
+  return arguments.outputs.empty() ? fs::path() : arguments.outputs.front();
+}
+
+/// Films that exist are found before the first frame is rendered.
+void requireNewFilms(const RenderArguments& arguments) {
+  const job::FrameRange frames = framesOf(arguments);
+  const fs::path& pattern = arguments.film.checkpoint;
+  if (pattern.empty() || pattern == arguments.film.resume) return;
+  for (std::uint32_t frame = frames.first; frame < frames.end; ++frame) {
+    const fs::path film = job::frameFile(pattern, frame);
+    std::error_code ignored;
+    if (!fs::exists(film, ignored)) continue;
+    throw FileError(
+        fmt::format("{}: the file exists, and its samples would be lost; continue the sequence with {}, or remove it",
+                    film.string(), settingWords("resume", pattern.string())));
+  }
+}
+
+bool areNewer(const std::vector<fs::path>& files, const fs::path& other) {
+  for (const fs::path& file : files) {
+    std::error_code error;
+    const auto time = fs::last_write_time(file, error);
+    if (error || time < fs::last_write_time(other, error) || error) return false;
+  }
+  return true;
+}
+
+/// Throws FileError unless a picture may be that of this job. EXR files state how they were rendered.
+void requirePictureOf(const RenderJob& job, const fs::path& file) {
+  const image::Image picture = image::readImage(file);
+  const render::Extent size = job.settings.image.window().extent();
+  const auto refuse = [&](const std::string& difference) {
+    throw FileError(fmt::format("{}: the picture is not of this sequence: {}; remove it, or choose other files",
+                                file.string(), difference));
+  };
+  if (picture.width != size.width || picture.height != size.height) {
+    refuse(fmt::format("it has {}x{} pixels, and the frame {}", picture.width, picture.height, extentText(size)));
+  }
+  for (const auto& [name, value] : metadataOf(job, {})) {
+    const auto found = picture.metadata.find(name);
+    const bool isOfRender = name == "candela.filmHash" || name == "candela.device" || name == "candela.driver";
+    if (found == picture.metadata.end() || isOfRender || found->second == value) continue;
+    refuse(fmt::format("its {} is {}, and that of the frame {}", name, found->second, value));
+  }
+}
+
+class Sequence {
+ public:
+  Sequence(const RenderArguments& arguments, const Log& log)
+      : arguments_(arguments),
+        log_(log),
+        frames_(framesOf(arguments)),
+        renderer_(openDevice(arguments, log_)),
+        line_(std::cerr, progressStyle(log.verbosity())) {}
+
+  ExitCode render() {
+    const std::atomic<bool>& stop = watchInterrupts();
+    const RenderSteps steps = stepsOf();
+    for (frame_ = frames_.first; frame_ < frames_.end; ++frame_) {
+      const ExitCode code = stop ? ExitCode::interrupted : renderFrame(steps);
+      if (code != ExitCode::done) return stopAt(code);
+      doneSamples_ += frameSamples_;
+      frameSamples_ = 0;
+    }
+    return ExitCode::done;
+  }
+
+  void summarise() const {
+    std::string text = counted(frames_.count(), "frame");
+    if (skippedCount_ > 0) text += fmt::format(", of which {} existed", skippedCount_);
+    log_.note(fmt::format("{}, {}", text, durationText(monotonicSeconds() - start_)));
+  }
+
+ private:
+  RenderSteps stepsOf() {
+    RenderSteps steps;
+    steps.isFrame = true;
+    steps.control.start = start_;
+    steps.control.report = [this](double fraction, std::uint64_t samples) { report(fraction, samples); };
+    steps.load = [this](const RenderArguments& one) { return load(one); };
+    steps.trace = [this](const RenderJob& job, const job::JobControl& control) { return trace(job, control); };
+    steps.isDone = [this](const RenderArguments& one, const RenderJob& job) { return isDone(one, job); };
+    return steps;
+  }
+
+  ExitCode renderFrame(const RenderSteps& steps) {
+    try {
+      return renderImage(argumentsOfFrame(arguments_, frame_), steps, log_);
+    } catch (const Error&) {
+      if (frame_ > frames_.first) log_.problem(fmt::format("frame {} failed", frame_));
+      throw;
+    }
+  }
+
+  RenderJob load(const RenderArguments& one) {
+    const double start = monotonicSeconds();
+    if (!source_) source_.emplace(one.files.front(), one.loadOptions);
+    scene::LoadedScene loaded = source_->at(one.loadOptions.time, one.loadOptions.orbit);
+    for (const scene::Diagnostic& warning : loaded.warnings) log_.warning(toString(warning));
+    requireUnread(one, loaded.files);
+    requireCamera(loaded.scene);
+    noteEnd(loaded.animationEnd);
+    const double seconds = monotonicSeconds() - start;
+    RenderJob job = jobOf(one, std::make_shared<const scene::Scene>(std::move(loaded.scene)), log_);
+    job.parseSeconds = seconds;
+    return job;
+  }
+
+  void noteEnd(const std::optional<double>& end) {
+    if (!hasTimes(arguments_)) return;
+    if (!end) {
+      log_.note(settingWords("turntable", "N") + " turns the camera about a scene without an animation");
+    } else if ((frames_.end - 1) / arguments_.framesPerSecond > *end) {
+      log_.note(fmt::format("the animation ends at {:g} s; later frames show its last pose", *end));
+    }
+  }
+
+  bool isDone(const RenderArguments& one, const RenderJob& job) {
+    const bool isDone = resumesPictures(arguments_) ? hasPictures(one, job) : hasFilm(one, job);
+    if (isDone) ++skippedCount_;
+    return isDone;
+  }
+
+  static bool hasPictures(const RenderArguments& one, const RenderJob& job) {
+    std::error_code ignored;
+    for (const fs::path& output : one.outputs) {
+      if (!fs::exists(output, ignored)) return false;
+    }
+    for (const fs::path& output : one.outputs) requirePictureOf(job, output);
+    return true;
+  }
+
+  /// The tracer of the film is compared with that of the other frames, since no device is open yet.
+  bool hasFilm(const RenderArguments& one, const RenderJob& job) {
+    if (one.film.resume.empty() || !areNewer(one.outputs, one.film.resume)) return false;
+    if (job.settings.image.integrator == render::Integrator::cost) return false;
+    const film::FilmReader reader(one.film.resume);
+    const film::FilmHeader& film = reader.header();
+    const film::FilmHeader header = filmHeaderOf(job, {});
+    const bool isSame = estimateDifferences(film, header, "the film", "the frame").empty() &&
+                        film.samplesPerPixel == header.samplesPerPixel && film.window == header.window;
+    if (!isSame || !film.begun.empty() || film.covered != coveredBy(job)) return false;
+    compareTracers(film);
+    return true;
+  }
+
+  /// Returns the samples of a film of this job that is finished.
+  static std::vector<film::SampleBox> coveredBy(const RenderJob& job) {
+    const render::Window window = job.settings.image.window();
+    return {{window, samplesOf(job)}};
+  }
+
+  void compareTracers(const film::FilmHeader& film) {
+    if (tracers_.empty()) tracers_ = film.tracers;
+    if (film.tracers == tracers_) return;
+    log_.warning(fmt::format("frame {} was not rendered by the same device, driver and program as the frames before it",
+                             frame_));
+    tracers_ = film.tracers;
+  }
+
+  job::JobResult trace(const RenderJob& job, const job::JobControl& control) {
+    job::JobResult result = renderer_.run(job, control, log_);
+    compareTracers(result.header);
+    return result;
+  }
+
+  /// Frames that existed do not count.
+  void report(double fraction, std::uint64_t samples) {
+    const std::uint32_t before = frame_ - frames_.first;
+    frameSamples_ = samples;
+    line_.update((before - skippedCount_ + fraction) / (frames_.count() - skippedCount_), doneSamples_ + samples,
+                 fmt::format("frame {} of {}:{}, ", frame_, frames_.first, frames_.end));
+  }
+
+  ExitCode stopAt(ExitCode code) {
+    std::string text = fmt::format("the sequence ends before frame {} of {}:{} is done", frame_, frames_.first,
+                                   frames_.end);
+    const fs::path& pattern = lockedPattern(arguments_);
+    if (!pattern.empty()) {
+      text += fmt::format("; the same command with {} continues it", settingWords("resume", pattern.string()));
+    }
+    log_.note(text);
+    return code;
+  }
+
+  const RenderArguments& arguments_;
+  OnceLog log_;
+  job::FrameRange frames_;
+  job::FrameRenderer renderer_;
+  Progress line_;
+  double start_ = monotonicSeconds();
+  std::optional<formats::SceneSource> source_{};
+  std::uint32_t frame_ = 0;
+  std::uint32_t skippedCount_ = 0;
+  std::uint64_t doneSamples_ = 0, frameSamples_ = 0;
+  std::vector<film::Tracer> tracers_{};  ///< of the last frame
+};
+
+}  // namespace
+
+ExitCode renderSequence(const RenderArguments& arguments, const Log& log) {
+  const job::FrameRange frames = framesOf(arguments);
+  const fs::path pattern = lockedPattern(arguments);
+  for (const fs::path& output : arguments.outputs) requireWritableImage(job::frameFile(output, frames.first));
+  std::optional<film::FilmLock> lock;
+  if (!pattern.empty()) lock.emplace(pattern, film::LockedPart{frames.first, frames.count()});
+  requireNewFilms(arguments);
+  ExitCode code = ExitCode::done;
+  {
+    Sequence sequence(arguments, log);
+    code = sequence.render();
+    if (code == ExitCode::done) sequence.summarise();
+  }
+  return code;
+}
+
+}  // namespace candela::cli
