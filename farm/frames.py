@@ -10,6 +10,7 @@ PER_SHARD = "is set for each shard; leave it out"
 REFUSED_OPTIONS = {
     **dict.fromkeys(("--checkpoint", "--resume", "--resume-anyway", "--samples", "--crop", "--time-limit", "--json",
                      "--checkpoint-every"), PER_SHARD),
+    "--frames": "belongs before --, with the options of this program",
     "--noise-threshold": "decides by all samples of a pixel, and a shard has only some of them; leave it out",
 }
 

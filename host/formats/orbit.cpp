@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "host/scene/bounds.h"
-
 namespace candela::formats {
 namespace {
 
@@ -26,20 +24,13 @@ class Rotation {
   double cosine_, sine_;
 };
 
-glm::dvec3 centreOf(const scene::Scene& scene) {
-  const std::optional<scene::Bounds> bounds = scene::boundsOf(scene);
-  return bounds ? (glm::dvec3(bounds->min) + glm::dvec3(bounds->max)) / 2.0 : glm::dvec3(scene.camera->at);
-}
-
 }  // namespace
 
 scene::Camera orbitedCamera(const scene::Scene& scene, double degrees) {
   const Rotation rotation(glm::dvec3(scene.up), degrees);
-  const glm::dvec3 centre = centreOf(scene);
-  const auto turned = [&](const glm::vec3& point) { return glm::vec3(centre + rotation(glm::dvec3(point) - centre)); };
   scene::Camera camera = *scene.camera;
-  camera.from = turned(camera.from);
-  camera.at = turned(camera.at);
+  const glm::dvec3 target(camera.at);
+  camera.from = glm::vec3(target + rotation(glm::dvec3(camera.from) - target));
   camera.up = glm::vec3(rotation(glm::dvec3(camera.up)));
   return camera;
 }

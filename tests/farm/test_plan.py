@@ -19,11 +19,13 @@ sys.path[:0] = [str(ROOT / "farm"), str(ROOT / "farm/slurm")]
 import commands  # noqa: E402
 import frames as framing  # noqa: E402
 import plan as planning  # noqa: E402
+import sequences  # noqa: E402
 import simulate  # noqa: E402
 import tasks  # noqa: E402
 
 CANDELA = "candela"
 SCENE = str(ROOT / "scenes/furnace.p3f")
+MOVING = ROOT / "tests/farm/moving_triangle.gltf"  # from x = -1 to 1 in one second
 
 
 def plan_of(*shards, samples=10, render=("--device", "cpu", "--size", "8x8")):
@@ -253,7 +255,71 @@ class StopTest(unittest.TestCase):
         self.assertEqual(self.task.wait(30), tasks.INTERRUPTED)
 
 
+def shown(frame):
+    """Returns the arguments of a frame as one text."""
+    return " ".join(word for words in (frame.render, *frame.pictures) for word in words)
+
+
+class SequenceTest(unittest.TestCase):
+    def frames(self, text, arguments):
+        return [shown(frame) for frame in sequences.sequence_of(sequences.range_of(text), arguments.split())]
+
+    def test_a_range_is_digits_colon_digits_and_everything_else_the_name_of_a_list(self):
+        self.assertEqual(sequences.range_of("8:11"), range(8, 11))
+        for name in ("frames.txt", "8", "8:", "a:b", "", "8:9:10"):
+            self.assertIsNone(sequences.range_of(name))
+        for text in ("3:3", "4:2"):
+            with self.assertRaisesRegex(framing.PlanError, "not below the end"):
+                sequences.range_of(text)
+
+    def test_each_frame_has_its_time_and_its_files(self):
+        self.assertEqual(self.frames("8:10", "a.glb --spp 4 --fps 30 -o out/f###.png --exposure 1"), [
+            "a.glb --spp 4 --time 0.26666666666666666 -o out/f008.png --exposure 1",
+            "a.glb --spp 4 --time 0.3 -o out/f009.png --exposure 1"])
+        self.assertEqual(self.frames("0:2", "a.glb --seed=frame -of#.png"),
+                         ["a.glb --time 0.0 --seed 0 -o f0.png", "a.glb --time 0.041666666666666664 --seed 1 -o f1.png"])
+
+    def test_a_turntable_has_angles_and_with_a_rate_also_times(self):
+        self.assertEqual(self.frames("", "a.glb --turntable 3 -o f#.png"), [
+            "a.glb -o f0.png", "a.glb --orbit 120.0 -o f1.png", "a.glb --orbit 240.0 -o f2.png"])
+        self.assertEqual(self.frames("5:6", "a.glb --turntable 4 --fps 4 --orbit -80 --seed 3 -o f#.png"),
+                         ["a.glb --time 1.25 --orbit 10.0 --seed 3 -o f5.png"])
+        self.assertEqual(self.frames("", "a.glb --time 2 -o f.png"), ["a.glb --time 2 -o f.png"])
+
+    def test_what_makes_no_sense_is_refused(self):
+        for arguments, message in (("a.glb --time 1 -o f#.png", "--time: each frame"), ("a.glb -o f.png", "lacks a place"),
+                                   ("a.glb --fps 0 -o f#.png", "--fps 0"), ("a.glb --fps x -o f#.png", "--fps x"),
+                                   ("a.glb --turntable 0 -o f#.png", "--turntable 0"),
+                                   ("a.glb --frames 0:3 -o f#.png", "--frames: belongs before --")):
+            with self.assertRaisesRegex(framing.PlanError, message):
+                self.frames("0:3", arguments)
+
+    def test_the_frames_are_those_of_the_program(self):
+        options = ["--device", "cpu", "--size", "8x6", "--spp", "2", "--turntable", "7", "--fps", "30", "--orbit", "5",
+                   "--seed", "frame"]
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([CANDELA, str(MOVING), *options, "--frames", "8:11", "-q", "-o", f"{folder}/a#.exr"], check=True)
+            for frame in sequences.sequence_of(range(8, 11), [str(MOVING), *options, "-o", f"{folder}/b#.exr"]):
+                subprocess.run([CANDELA, *frame.render, *frame.pictures[0], "-q"], check=True)
+            for number in range(8, 11):
+                self.assertEqual((Path(folder) / f"a{number}.exr").read_bytes(), (Path(folder) / f"b{number}.exr").read_bytes())
+
+
 class TemplateTest(unittest.TestCase):
+    def test_the_command_of_the_openjd_template_for_sequences_renders_and_resumes_a_frame(self):
+        template = json.loads((ROOT / "farm/openjd/candela-sequence.template.json").read_text())
+        text = template["steps"][0]["script"]["embeddedFiles"][0]["data"]
+        with tempfile.TemporaryDirectory() as folder:
+            values = {"Param.Scene": MOVING, "Param.Folder": folder, "Param.Candela": CANDELA,
+                      "Param.Options": "--fps 24 --device cpu --size 8x8 --spp 2", "Task.Param.Frame": 7}
+            for name, value in values.items():
+                text = text.replace("{{" + name + "}}", str(value))
+            self.assertNotIn("{{", text)
+            for _ in range(2):
+                subprocess.run(["sh", "-c", text], check=True, stderr=subprocess.DEVNULL)
+            self.assertTrue(planning.describe(CANDELA, Path(folder) / "film.0007.exr")["complete"])
+            self.assertTrue((Path(folder) / "frame.0007.png").exists())
+
     def test_the_commands_of_the_openjd_template_render_and_merge(self):
         template = json.loads((ROOT / "farm/openjd/candela.template.json").read_text())
         defaults = {one["name"]: one.get("default", "") for one in template["parameterDefinitions"]}

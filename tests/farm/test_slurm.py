@@ -124,6 +124,36 @@ class SlurmTest(unittest.TestCase):
         self.assertEqual(len(list(self.folder.glob("frame *.png"))), 7)
         self.assertIn("14 of 14 shards and 7 of 7 frames are done", self.submit("--status"))
 
+    def test_a_sequence_that_is_killed_and_submitted_again_equals_one_run(self):
+        options = [str(ROOT / "tests/farm/moving_triangle.gltf"), "--device", "cpu", "--size", "160x120", "--spp", "64"]
+        command = ["--shards", "1", "--frames", "0:48", "--", *options, "-o", str(self.folder / "frame.##.png")]
+        self.assertIn("48 of 48 shards and 48 merges", self.submit(*command))
+        first = self.jobs()[0]
+
+        def films():
+            return [film for film in self.job.glob("frame-*/shard-*.exr")]
+
+        self.cluster.wait_for(lambda: len(films()) > 5, "some frames are rendered")
+        for task in self.running(first):
+            self.cluster.run("scancel", "--signal=KILL", "--full", task)
+        self.cluster.run("scancel", *self.jobs())
+        self.finish()
+        self.assertFalse(list(self.folder.glob("frame.*.png")), "the merges waited for frames that were killed")
+        rendered = len(films())
+        self.assertLess(rendered, 48)
+
+        output = self.submit(*command)
+        self.assertNotIn("48 of 48 shards", output)
+        self.finish()
+        self.assertIn("48 of 48 shards and 48 of 48 frames are done", self.submit("--status"))
+        subprocess.run([CANDELA, *options, "--frames", "0:48", "-o", str(self.folder / "one.##.png"), "--checkpoint",
+                        str(self.folder / "one.##.exr"), "-q"], check=True)
+        for frame in range(48):
+            self.assertEqual((self.folder / f"frame.{frame:02}.png").read_bytes(),
+                             (self.folder / f"one.{frame:02}.png").read_bytes())
+            self.assertEqual((self.job / f"frame-{frame:05}/film.exr").read_bytes(),
+                             (self.folder / f"one.{frame:02}.exr").read_bytes())
+
 
 if __name__ == "__main__":
     CANDELA = str(Path(sys.argv.pop(1)).resolve())

@@ -1,4 +1,4 @@
-// Views that are turned about a scene.
+// Views that are turned about their targets.
 #include "host/formats/orbit.h"
 
 #include <catch2/catch.hpp>
@@ -20,7 +20,7 @@ void checkNear(const glm::vec3& a, const glm::vec3& b) { CHECK(glm::distance(a, 
 
 }  // namespace
 
-TEST_CASE("a camera is turned counterclockwise about the centre of the scene, seen from above") {
+TEST_CASE("a camera is turned counterclockwise about its target, seen from above") {
   const TemporaryFolder folder;
   const std::string file = folder.write("a.p3f", ball(false));
   const scene::Camera camera = *loadScene(file, {.orbit = 90}).scene.camera;
@@ -41,12 +41,16 @@ TEST_CASE("an orbit leaves everything but the camera in place, and changes the h
   CHECK(front.up == side.up);
 }
 
-TEST_CASE("a scene of planes is turned about the camera's target") {
+TEST_CASE("a tilted camera keeps its height and turns its upper side along") {
   scene::Scene scene;
-  scene.camera = scene::Camera{.from = {2, 1, 5}, .at = {2, 1, 0}};
-  scene.planes.push_back({{{0, 0, 0}, {1, 0, 0}, {0, 0, -1}}});
-  scene.primitives.emplace_back(scene::PrimitiveKind::plane, 0, 0);
-  checkNear(orbitedCamera(scene, 180).from, {2, 1, -5});
+  scene::Camera& camera = scene.camera.emplace();
+  camera.from = {2, 4, 5};
+  camera.at = {2, 1, 0};
+  camera.up = {0.6f, 0.8f, 0};
+  const scene::Camera turned = orbitedCamera(scene, 180);
+  checkNear(turned.from, {2, 4, -5});
+  checkNear(turned.at, {2, 1, 0});
+  checkNear(turned.up, {-0.6f, 0.8f, 0});
 }
 
 TEST_CASE("a file that is read once gives the scenes of single readings") {

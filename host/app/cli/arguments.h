@@ -70,7 +70,7 @@ struct TracingArguments : SceneArguments, RequestArguments, OpenDeviceArguments 
 struct SequenceArguments {
   std::optional<job::FrameRange> frames;   ///< empty: those of a turn, or no sequence
   double framesPerSecond = 24;             ///< of the animation
-  std::optional<std::uint32_t> turntable;  ///< number of frames in which the camera turns once about the scene
+  std::optional<std::uint32_t> turntable;  ///< number of frames in which the camera turns once about its target
   bool seedIsFrame = false;                ///< the number of a frame is its seed
 
   bool isSequence() const { return frames || turntable; }

@@ -101,7 +101,7 @@ std::vector<Option> sceneFileOptions() {
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "the pose at rest"), [](auto& a) -> auto& { return a.loadOptions.time; }),
     valued<SceneArguments>({"--animation", kGroup, "for glTF: name or index of the animation that --time applies to"},
            orAbsent(text("NAME|N", "an animation"), "the first"), [](auto& a) -> auto& { return a.loadOptions.animation; }),
-    valued<SceneArguments>({"--orbit", kGroup, "angle by which the camera is turned about the centre of the scene, about the axis that points up, counterclockwise seen from above"},
+    valued<SceneArguments>({"--orbit", kGroup, "angle by which the camera is turned about its target, about the axis that points up, counterclockwise seen from above"},
            realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.orbit; }),
   };
 }
@@ -113,7 +113,7 @@ std::vector<Option> sequenceOptions() {
            orAbsent(range<job::FrameRange>(kMaxFrame), "none"), [](auto& a) -> auto& { return a.frames; }),
     valued<RenderArguments>({"--fps", kGroup, "frames per second"},
            realNumber<double>("F", 1e-3, 1e6), [](auto& a) -> auto& { return a.framesPerSecond; }),
-    valued<RenderArguments>({"--turntable", kGroup, "render N frames in which the camera turns once about the scene: see --orbit; with --fps, the animation plays as well"},
+    valued<RenderArguments>({"--turntable", kGroup, "render N frames in which the camera turns once about its target: see --orbit; with --fps, the animation plays as well"},
            orAbsent(wholeNumber(1, kMaxFrame), "none"), [](auto& a) -> auto& { return a.turntable; }),
   };
 }

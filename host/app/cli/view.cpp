@@ -50,25 +50,26 @@ ExitCode run(const ViewArguments& arguments, const Log& log) {
   const double start = monotonicSeconds();
   requireWritableReport(arguments.json);
   ViewedScene scene(arguments, log);
-  const view::Choice choice{arguments.device, arguments.request.image.integrator, arguments.layer};
+  const view::Choice choice{arguments.device, arguments.request.image.integrator, arguments.layer,
+                            arguments.loadOptions.time};
   const RenderJob first = scene.job(choice, true);
   image::DisplayTransform display;
   display.toneMap = arguments.toneMap.value_or(display.toneMap);
   display.exposure = arguments.exposure.value_or(0);
-  const window::ViewerReport report = window::runViewer(
-      {.hooks = hooksOf(scene),
-       .choice = choice,
-       .devices = deviceNames(),
-       .scene = arguments.files.front(),
-       .size = first.settings.image.size,
-       .mode = arguments.mode,
-       .display = display,
-       .openDevice =
-           [&](const auto& extensions) {
-             return scene.open({choice.usesReference() ? "" : choice.device, choice.integrator, choice.layer},
-                               extensions);
-           },
-       .start = start});
+  const window::ViewerReport report = window::runViewer({.hooks = hooksOf(scene),
+                                                         .choice = choice,
+                                                         .devices = deviceNames(),
+                                                         .scene = arguments.files.front(),
+                                                         .size = first.settings.image.size,
+                                                         .mode = arguments.mode,
+                                                         .display = display,
+                                                         .openDevice =
+                                                             [&](const auto& extensions) {
+                                                               view::Choice presented = choice;
+                                                               if (choice.usesReference()) presented.device.clear();
+                                                               return scene.open(presented, extensions);
+                                                             },
+                                                         .start = start});
   writeJson(arguments.json, toJson(report));
   return ExitCode::done;
 }

@@ -17,6 +17,7 @@ constexpr render::Extent kWarmUpSize{8, 8};
 
 ViewArguments withChoice(ViewArguments arguments, const view::Choice& choice) {
   arguments.device = choice.device;
+  arguments.loadOptions.time = choice.time;
   image::LayerSet& layers = arguments.request.image.layers;
   layers.bits |= view::neededBy(choice.layer).bits;
   // Another integrator than that of the command line was chosen in the window. Only the path tracer has layers.
@@ -50,23 +51,24 @@ void writeLayer(const std::filesystem::path& file, const image::Film& film, imag
 RenderJob ViewedScene::job(const view::Choice& choice, bool reads) {
   const ViewArguments arguments = withChoice(arguments_, choice);
   const std::scoped_lock lock(mutex_);
-  if (reads || !scene_) read(arguments);
+  if (reads || !scene_ || time_ != choice.time) makeScene(choice, reads);
   return jobOf(arguments, scene_, log_);
 }
 
 view::Sessions ViewedScene::load(const view::Choice& choice, bool reads) {
   const RenderJob job = this->job(choice, reads);
-  view::Sessions sessions{job.sharedScene, job.settings};
-  sessions.referenceRenderer = reference::makeReferenceRenderer();
-  sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
+  view::Sessions sessions{job.sharedScene, job.settings, animationEnd_};
+  sessions.reference = reference::makeReferenceRenderer()->prepare(*sessions.scene, sessions.settings);
   return sessions;
 }
 
 vulkan::Device ViewedScene::open(const view::Choice& choice, const std::vector<std::string>& windowExtensions) {
-  std::unique_ptr<CachedDevice>& device = devices_[choice.device];
-  const ViewArguments arguments = withChoice(arguments_, choice);
-  if (!device) device = std::make_unique<CachedDevice>(arguments, log_, windowExtensions);
-  return device->device();
+  OpenedDevice& opened = devices_[choice.device];
+  if (!opened.device) {
+    opened.device = std::make_unique<CachedDevice>(withChoice(arguments_, choice), log_, windowExtensions);
+    opened.renderer = device::makeGpuRenderer(opened.device->device());
+  }
+  return opened.device->device();
 }
 
 // Runs of one device must not overlap, and preparations that are not wanted any more may still be under way.
@@ -75,8 +77,7 @@ void ViewedScene::addDevice(const view::Choice& choice, view::Sessions& sessions
   const vulkan::Device device = open(choice);
   render::RenderSettings settings = sessions.settings;
   settings.execution.automatic = automaticChoices(arguments_, device.info(), log_);
-  sessions.deviceRenderer = device::makeGpuRenderer(device);
-  sessions.device = sessions.deviceRenderer->prepare(*sessions.scene, settings);
+  sessions.device = devices_[choice.device].renderer->prepare(*sessions.scene, settings);
   sessions.device->setView(*sessions.scene->camera, kWarmUpSize);
   sessions.device->advance({0, 1}, {});
   sessions.deviceName = device.info().name;
@@ -96,9 +97,21 @@ void ViewedScene::save(const std::filesystem::path& file, const view::Sessions& 
   writeImage(file, image, display);
 }
 
-void ViewedScene::read(const ViewArguments& arguments) {
-  scene::LoadedScene loaded = readScene(arguments, log_);
+void ViewedScene::makeScene(const view::Choice& choice, bool reads) {
+  std::unique_ptr<formats::SceneSource> source = std::move(source_);
+  if (reads || !source) {
+    source = std::make_unique<formats::SceneSource>(arguments_.files.front(), arguments_.loadOptions);
+  }
+  scene::LoadedScene loaded = source->at(choice.time, arguments_.loadOptions.orbit);
+  for (const scene::Diagnostic& warning : loaded.warnings) {
+    if (warnings_.insert(toString(warning)).second || reads) log_.warning(toString(warning));
+  }
+  requireUnread(arguments_, loaded.files);
+  requireCamera(loaded.scene);
+  source_ = std::move(source);
   scene_ = std::make_shared<const scene::Scene>(std::move(loaded.scene));
+  time_ = choice.time;
+  animationEnd_ = loaded.animationEnd;
   files_.insert(loaded.files.begin(), loaded.files.end());
 }
 

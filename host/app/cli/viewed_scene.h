@@ -11,6 +11,7 @@
 #include "host/app/cli/cached_device.h"
 #include "host/app/cli/render_job.h"
 #include "host/app/view/engine.h"
+#include "host/formats/load_scene.h"
 
 namespace candela::cli {
 
@@ -35,7 +36,8 @@ class ViewedScene {
             const image::DisplayTransform& display);
 
  private:
-  void read(const ViewArguments& arguments);
+  /// Makes the scene at the time of a choice, from the file as it is now if `reads`.
+  void makeScene(const view::Choice& choice, bool reads);
 
   /// Throws UsageError for a file that cannot be written, or that would replace one that is in use.
   void requireSavable(const std::filesystem::path& file);
@@ -43,10 +45,19 @@ class ViewedScene {
   const ViewArguments& arguments_;
   const Log& log_;
   std::mutex mutex_;
+  std::unique_ptr<formats::SceneSource> source_;
   std::shared_ptr<const scene::Scene> scene_;
+  std::optional<double> time_;  ///< of `scene_`
+  std::optional<double> animationEnd_;
+  std::set<std::string> warnings_;         ///< that the log has
   std::set<std::filesystem::path> files_;  ///< that the scene has read, now or before it changed
   std::mutex deviceMutex_;
-  std::map<std::string, std::unique_ptr<CachedDevice>> devices_;
+  /// A device, and a renderer that caches its pipelines.
+  struct OpenedDevice {
+    std::unique_ptr<CachedDevice> device;
+    std::unique_ptr<render::Renderer> renderer;
+  };
+  std::map<std::string, OpenedDevice> devices_;  ///< by their selectors
 };
 
 }  // namespace candela::cli

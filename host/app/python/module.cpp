@@ -25,5 +25,6 @@ PYBIND11_MODULE(_candela, module) {
   defineFilm(module);
   defineRender(module);
   defineSession(module);
+  defineSequence(module);
   defineVerdicts(module);
 }

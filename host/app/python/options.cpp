@@ -33,6 +33,12 @@ const FunctionOptions kSessionOptions{"Session",
                                       {OptionGroup::image, OptionGroup::execution},
                                       {"--crop", "--aov", "--denoise"},
                                       {"--memory", "--fallback", "--noise-threshold"}};
+const FunctionOptions kSequenceOptions{
+    "Sequence",
+    Command::render,
+    {OptionGroup::sceneFile, OptionGroup::sequence, OptionGroup::image, OptionGroup::execution},
+    {"--crop", "--aov", "--denoise"},
+    {"--memory"}};
 const FunctionOptions kVerifyOptions{"verify",
                                      Command::verify,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::verification},

@@ -20,8 +20,9 @@ struct FunctionOptions {
   bool has(const cli::Option& option) const;
 };
 
-extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessionOptions, kVerifyOptions,
-    kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kSaveOptions, kDenoiseOptions, kMergeOptions;
+extern const FunctionOptions kLoadOptions, kSceneOptions, kRenderOptions, kSessionOptions, kSequenceOptions,
+    kVerifyOptions, kExplainOptions, kCompareTracersOptions, kCompareImagesOptions, kSaveOptions, kDenoiseOptions,
+    kMergeOptions;
 
 /// Returns the arguments of the function's command: max_depth=8 is --max-depth 8, and aovs is --aov. A pair
 /// or a range is "WxH", "X,Y" or "A:B", True and False are "on" and "off" (or a flag), and None omits an option. Throws

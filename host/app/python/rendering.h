@@ -26,5 +26,7 @@ void requireSeparate(cli::RenderArguments arguments, const std::vector<std::file
 void defineRender(pybind11::module_& module);
 /// Defines Session.
 void defineSession(pybind11::module_& module);
+/// Defines Sequence.
+void defineSequence(pybind11::module_& module);
 
 }  // namespace candela::python

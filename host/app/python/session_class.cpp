@@ -7,6 +7,7 @@
 #include <limits>
 #include <variant>
 
+#include "host/app/python/claim.h"
 #include "host/app/python/options.h"
 #include "host/app/python/python_scene.h"
 #include "host/app/python/rendering.h"
@@ -18,21 +19,6 @@ namespace {
 
 namespace py = pybind11;
 
-/// Marks a session as in use. Throws UsageError if it already is: by another thread, or by the call whose callback this
-/// is.
-class Claim {
- public:
-  explicit Claim(std::atomic<bool>& isBusy) : isBusy_(isBusy) {
-    if (isBusy_.exchange(true)) throw UsageError("the session is in use");
-  }
-  ~Claim() { isBusy_.store(false); }
-  Claim(const Claim&) = delete;
-  Claim& operator=(const Claim&) = delete;
-
- private:
-  std::atomic<bool>& isBusy_;
-};
-
 /// A session that may be closed, and that refuses to be used twice at once.
 struct SharedSession {
   std::unique_ptr<PythonSession> session;
@@ -41,14 +27,14 @@ struct SharedSession {
   /// Runs `use` without the GIL, and passes its messages on.
   template <class Use>
   void run(const Use& use, const py::object& progress = py::none()) {
-    const Claim claim(isBusy);
+    const Claim claim(isBusy, "the session");
     if (!session) throw UsageError("the session is closed");
     runWatched([&](const Watch& watch) { use(*session, watch); }, progress);
     session->log().passOn();
   }
   void close() {
     if (!session) return;
-    const Claim claim(isBusy);
+    const Claim claim(isBusy, "the session");
     session.reset();
   }
   /// Closes the session at the end of a `with` block. The exception that ended the block, if any, is more important

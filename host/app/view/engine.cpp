@@ -47,7 +47,7 @@ std::uint32_t worstSample(render::SampleReplayer& device, render::SampleReplayer
 
 Engine::Engine(EngineHooks hooks, Choice choice, Mode mode)
     : hooks_(std::move(hooks)), choice_(std::move(choice)), mode_(mode), sessions_(hooks_.load(choice_, false)) {
-  adopt(std::move(sessions_));  // without a scene before it, so that the camera is the scene's
+  adopt(std::move(sessions_), false);  // without a scene before it, so that the camera is the scene's
   startDevice();
   publish();
   thread_ = std::thread([this] { loop(); });
@@ -135,29 +135,38 @@ void Engine::apply(const Requests& requests) {
   if (requests.sample) guarded([&] { explainNow(*requests.sample, requests.searches); });
 }
 
+// At another time of the animation, the device is prepared at once: its pipelines are compiled already. The picture
+// stays until the next one replaces it.
 void Engine::load(const Choice& choice, bool reads) {
+  const bool isOtherTime = !reads && differOnlyInTime(choice, choice_);
+  const bool hasDevice = sessions_.device && !coming_.isUnderWay();
   Sessions sessions = hooks_.load(choice, reads);
+  if (isOtherTime && hasDevice) hooks_.addDevice(choice, sessions);
   choice_ = choice;
-  adopt(std::move(sessions));
-  startDevice();
+  adopt(std::move(sessions), isOtherTime);
+  if (!sessions_.device) startDevice();
   say("", false);
 }
 
-void Engine::adopt(Sessions sessions) {
+void Engine::adopt(Sessions sessions, bool keepsPictures) {
   const bool keepsCamera = sessions_.scene &&
                            cameraText(*sessions_.scene->camera) == cameraText(*sessions.scene->camera);
   sessions_ = std::move(sessions);
   if (!keepsCamera) camera_ = *sessions_.scene->camera;
   schedule_.emplace(sessions_.settings.image.size, sessions_.settings.image.sampleCount);
   next_.scene = sessions_.scene;
+  next_.animationEnd = sessions_.animationEnd;
   next_.choice = choice_;
   next_.size = sessions_.settings.image.size;
   next_.sampleCount = sessions_.settings.image.sampleCount;
   next_.explanation.clear();
   next_.layerRange = {};
   next_.matteNames = matteNamesOf(*next_.scene, choice_.layer);
-  for (auto& picture : pictures_) picture = std::make_shared<Picture>(next_.size);
-  next_.sides = {};
+  if (!keepsPictures) {
+    for (auto& picture : pictures_) picture = std::make_shared<Picture>(next_.size);
+    next_.sides = {};
+  }
+  for (SideView& side : next_.sides) side.samples = 0;
   want();
   restart();
 }
@@ -177,7 +186,6 @@ void Engine::adoptDevice() {
   if (!coming_.isReady()) return;
   next_.isPreparing = false;
   Sessions made = coming_.take();
-  sessions_.deviceRenderer = std::move(made.deviceRenderer);
   sessions_.device = std::move(made.device);
   next_.deviceName = made.deviceName;
   preparedScale_[indexOf(Side::device)] = 0;
@@ -389,7 +397,6 @@ bool Engine::guarded(const std::function<void()>& work) {
 void Engine::dropDevice(const std::string& reason) {
   hasFailed_ = sessions_.device == nullptr;  // it was the reference that failed
   sessions_.device.reset();
-  sessions_.deviceRenderer.reset();
   want();
   next_.isPreparing = coming_.isUnderWay();
   say(reason + "; the reference continues", true);

@@ -44,7 +44,7 @@ class Engine {
   void apply(const Requests& requests);
   void load(const Choice& choice, bool reads);
   void measureRanges();
-  void adopt(Sessions sessions);
+  void adopt(Sessions sessions, bool keepsPictures);
   void startDevice();
   void adoptDevice();
   void setMode(const NewMode& mode);

@@ -12,8 +12,8 @@ namespace candela::view {
 /// A scene and the sessions that render it. Members depend on the members before them.
 struct Sessions {
   std::shared_ptr<const scene::Scene> scene;
-  render::RenderSettings settings;  ///< `image.size` is the full resolution
-  std::unique_ptr<render::Renderer> deviceRenderer{}, referenceRenderer{};
+  render::RenderSettings settings;                         ///< `image.size` is the full resolution
+  std::optional<double> animationEnd{};                    ///< scene::LoadedScene::animationEnd
   std::unique_ptr<render::Session> device{}, reference{};  ///< the device's is null if only the reference renders
   std::string deviceName{};
 

@@ -19,6 +19,23 @@ Choice withIntegrator(Choice choice, render::Integrator integrator) {
   return choice;
 }
 
+Choice withDevice(Choice choice, const std::string& device) {
+  choice.device = device;
+  return choice;
+}
+
+bool differOnlyInTime(const Choice& a, const Choice& b) {
+  Choice other = b;
+  other.time = a.time;
+  return a == other;
+}
+
+bool showsTime(const EngineView& view, const Choice& choice, Mode mode) {
+  const bool showsReference = shownMode(view, mode) == Mode::reference;
+  const SideView& side = view.sides[showsReference ? 1 : 0];
+  return view.choice.time == choice.time && side.scale == 1 && side.samples > 0;
+}
+
 Mode shownMode(const EngineView& view, Mode mode) {
   const bool hasReferenceAlone = view.sides[0].scale == 0 && view.sides[1].scale > 0;
   return hasReferenceAlone ? Mode::reference : mode;

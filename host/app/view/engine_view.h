@@ -18,7 +18,8 @@ namespace candela::view {
 struct Choice {
   std::string device;  ///< as --device; kReferenceDevice: only the reference
   render::Integrator integrator = render::Integrator::path;
-  ShownLayer layer{};  ///< only with Integrator::path, because the others have no layers
+  ShownLayer layer{};            ///< only with Integrator::path, because the others have no layers
+  std::optional<double> time{};  ///< in the animation, in seconds; empty: at rest
 
   bool usesReference() const { return device == render::kReferenceDevice; }
   bool operator==(const Choice&) const = default;
@@ -58,8 +59,18 @@ struct EngineView {
   bool isError = false;                       ///< of `message`
   render::PixelSample explained;              ///< by `explanation`
   std::string explanation;                    ///< text of `candela explain`
-  std::shared_ptr<const scene::Scene> scene;  ///< changes when a file was read again
+  std::shared_ptr<const scene::Scene> scene;  ///< changes when a file was read again, and with the time
+  std::optional<double> animationEnd;         ///< in seconds; empty: the scene has no animation
 };
+
+/// Returns the choice with another device.
+Choice withDevice(Choice choice, const std::string& device);
+
+/// Returns whether two choices differ at most in the time.
+bool differOnlyInTime(const Choice& a, const Choice& b);
+
+/// Returns whether the picture of the shown side shows the time of a choice, with a sample of each pixel.
+bool showsTime(const EngineView& view, const Choice& choice, Mode mode);
 
 /// Returns the mode of the picture: until the device has one, that of the reference is shown.
 Mode shownMode(const EngineView& view, Mode mode);

@@ -138,6 +138,8 @@ Action Navigation::press(Key key, Modifiers modifiers) {
       return Action::copyCamera;
     case Key::p:
       return Action::save;
+    case Key::k:
+      return Action::playOrPause;
     case Key::l:
       return Action::reload;
     case Key::i:

@@ -17,6 +17,7 @@ enum class Key {
   e,
   h,
   i,
+  k,
   l,
   n,
   p,
@@ -55,6 +56,7 @@ enum class Action {
   nextLayer,
   previousLayer,
   worstPixel,
+  playOrPause,
   quit
 };
 

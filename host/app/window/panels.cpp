@@ -24,7 +24,7 @@ constexpr const char* kKeyHelp =
     "click: path of a pixel   N: pixel that differs most\n"
     "R: first camera   C: copy camera   L: reload\n"
     "P: save   I: integrator   space: pause\n"
-    "H: hide panels   Esc: quit";
+    "K: play or pause the animation   H: hide panels   Esc: quit";
 
 void text(const std::string& line) { ImGui::TextUnformatted(line.c_str()); }
 
@@ -74,7 +74,7 @@ void Panels::drawRender(const PanelInput& input, PanelChoice& choice) {
       const std::string selector = isReference ? render::kReferenceDevice : std::to_string(i);
       const std::string label = isReference ? "cpu: the reference alone" : fmt::format("{}: {}", i, input.devices[i]);
       if (ImGui::Selectable(label.c_str(), selector == engine.choice.device))
-        choice.choice = view::Choice{selector, engine.choice.integrator, engine.choice.layer};
+        choice.choice = withDevice(engine.choice, selector);
     }
     ImGui::EndCombo();
   }
@@ -117,6 +117,16 @@ void Panels::drawView(view::ViewState& state, const PanelInput& input, PanelChoi
     float divider = static_cast<float>(state.divider);
     if (ImGui::SliderFloat("divider", &divider, 0, 1, "%.3f")) state.divider = std::clamp(divider, 0.0f, 1.0f);
   }
+}
+
+void Panels::drawTime(const PanelInput& input, PanelChoice& choice) {
+  if (!input.engine.animationEnd || *input.engine.animationEnd <= 0) return;
+  const auto end = static_cast<float>(*input.engine.animationEnd);
+  auto time = static_cast<float>(input.engine.choice.time.value_or(0));
+  if (ImGui::SliderFloat("time", &time, 0, end, input.engine.choice.time ? "%.3f s" : "at rest")) {
+    choice.time = std::clamp(time, 0.0f, end);
+  }
+  choice.playOrPause = ImGui::Button(input.isPlaying ? "pause animation" : "play animation");
 }
 
 void Panels::drawDifference(view::ViewState& state, const PanelInput& input, PanelChoice& choice) {
@@ -194,6 +204,7 @@ PanelChoice Panels::draw(view::ViewState& state, const PanelInput& input) {
     drawRender(input, choice);
     ImGui::Separator();
     drawView(state, input, choice);
+    drawTime(input, choice);
     if (comparesSides(state.mode)) drawDifference(state, input, choice);
     ImGui::Separator();
     drawPixel(state, input, choice);

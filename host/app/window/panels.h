@@ -19,12 +19,15 @@ struct PanelInput {
   view::Mode shownMode;  ///< that of the picture, which is the reference while the device is prepared
   double response = 0;   ///< seconds of the last response to input
   bool presentsFromDevice = false;
+  bool isPlaying = false;  ///< the animation
 };
 
 /// The user's actions in the panels in one frame.
 struct PanelChoice {
   std::optional<view::Choice> choice;
   std::optional<view::Mode> mode;
+  std::optional<double> time;       ///< in the animation
+  bool playOrPause = false;         ///< the animation
   std::optional<std::string> file;  ///< to save
   bool reload = false;
   bool copyCamera = false;
@@ -45,6 +48,7 @@ class Panels {
  private:
   void drawRender(const PanelInput& input, PanelChoice& choice);
   void drawView(view::ViewState& state, const PanelInput& input, PanelChoice& choice);
+  void drawTime(const PanelInput& input, PanelChoice& choice);
   void drawDifference(view::ViewState& state, const PanelInput& input, PanelChoice& choice);
   void drawLayer(const PanelInput& input, PanelChoice& choice);
   void drawPixel(view::ViewState& state, const PanelInput& input, PanelChoice& choice);

@@ -12,6 +12,7 @@
 #include "host/app/view/camera_text.h"
 #include "host/app/view/file_watch.h"
 #include "host/app/view/navigation.h"
+#include "host/app/view/playback.h"
 #include "host/app/window/key_map.h"
 #include "host/app/window/panels.h"
 #include "host/app/window/response_meter.h"
@@ -58,6 +59,10 @@ class Viewer {
   void save(const std::string& file);
   void sendCamera();
   void chooseNextIntegrator();
+  view::Choice withTime(view::Choice choice) const;
+  void chooseTime(double time);
+  void playOrPause();
+  void playOn();
   void choose(const view::Choice& choice);
   PaintedView painted() const;
   void draw();
@@ -74,6 +79,7 @@ class Viewer {
   view::CameraControl camera_;
   view::Navigation navigation_;
   view::FileWatch file_;
+  view::Playback playback_;
   render::PixelSample explained_;
   std::shared_ptr<const scene::Scene> scene_;
   render::Extent pictureSize_;
@@ -202,6 +208,8 @@ void Viewer::apply(view::Action action) {
     case view::Action::nextLayer:
     case view::Action::previousLayer:
       return choose(withLayer(choice_, view::nextLayer(choice_.layer, action == view::Action::previousLayer)));
+    case view::Action::playOrPause:
+      return playOrPause();
     case view::Action::quit:
       isClosed_ = true;
       return;
@@ -211,7 +219,12 @@ void Viewer::apply(view::Action action) {
 }
 
 void Viewer::apply(const PanelChoice& choice) {
-  if (choice.choice) choose(*choice.choice);
+  if (choice.choice) choose(withTime(*choice.choice));
+  if (choice.time) {
+    playback_.pause();
+    chooseTime(*choice.time);
+  }
+  if (choice.playOrPause) apply(view::Action::playOrPause);
   if (choice.mode) {
     state_.mode = *choice.mode;
     apply(view::Action::modeChanged);
@@ -248,6 +261,31 @@ void Viewer::chooseNextIntegrator() {
   choose(withIntegrator(choice_, static_cast<render::Integrator>(next)));
 }
 
+// The choices of panels are made from those of the picture, whose time may be an earlier one.
+view::Choice Viewer::withTime(view::Choice choice) const {
+  choice.time = choice_.time;
+  return choice;
+}
+
+void Viewer::chooseTime(double time) {
+  view::Choice next = choice_;
+  next.time = time;
+  if (next != choice_) choose(next);
+}
+
+void Viewer::playOrPause() {
+  if (playback_.isPlaying()) return playback_.pause();
+  if (shown_.animationEnd.value_or(0) > 0) playback_.play(choice_.time.value_or(0), monotonicSeconds());
+}
+
+// Each frame is shown with a sample of each pixel at least.
+void Viewer::playOn() {
+  if (!playback_.isPlaying() || !showsTime(shown_, choice_, state_.mode)) return;
+  const double end = shown_.animationEnd.value_or(0);
+  if (end <= 0) return playback_.pause();
+  chooseTime(playback_.timeAt(monotonicSeconds(), end));
+}
+
 void Viewer::choose(const view::Choice& choice) {
   choice_ = choice;
   engine_.setChoice(choice);
@@ -277,7 +315,13 @@ void Viewer::draw() {
   const PaintedView view = painted();
   PanelChoice choice;
   const bool isShown = screen_.draw(view, [&](const gpu::PointedValues& pointed) {
-    const PanelInput input{shown_, options_.devices, pointed, view.mode, responses_.last(), view.onDevice.has_value()};
+    const PanelInput input{shown_,
+                           options_.devices,
+                           pointed,
+                           view.mode,
+                           responses_.last(),
+                           view.onDevice.has_value(),
+                           playback_.isPlaying()};
     choice = panels_.draw(state_, input);
     drawDivider(state_, input);
   });
@@ -303,7 +347,7 @@ void Viewer::measure() {
 ViewerReport Viewer::run() {
   const std::atomic<bool>& interrupted = watchInterrupts();
   while (!isClosed_ && !screen_.window().mustClose() && !interrupted) {
-    const bool isBusy = navigation_.isFlying() || framesToDraw_ > 0;
+    const bool isBusy = navigation_.isFlying() || playback_.isPlaying() || framesToDraw_ > 0;
     const std::vector<Event> events = screen_.window().events(isBusy ? kFlyingSeconds : kIdleSeconds);
     for (const Event& event : events) handle(event);
     if (navigation_.isFlying()) fly();
@@ -312,6 +356,7 @@ ViewerReport Viewer::run() {
     const std::uint64_t serial = shown_.serial;
     shown_ = engine_.view();
     followScene();
+    playOn();
     if (screen_.resize()) {
       place();
       framesToDraw_ = 2;

@@ -118,8 +118,9 @@ struct Reading {
   SceneAssembly assembly;
 };
 
-/// A file, and what its scenes share. A view that frames the model and the default light stay as they are while the
-/// model moves: the view frames the whole motion, and the light is that of the model at rest.
+/// A file, and what its scenes share. A view that frames the model, the distance of a camera's target and the default
+/// light stay as they are while the model moves: the view frames the whole motion, and the others are those of the
+/// model at rest.
 class GltfReader final : public scene::SceneReader {
  public:
   GltfReader(const scene::SceneFile& file, const scene::LoadOptions& options, bool isOften)
@@ -181,8 +182,10 @@ class GltfReader final : public scene::SceneReader {
 
   View viewOf(Reading& reading, std::optional<double> time) {
     const std::optional<Box> bounds = reading.assembly.bounds();
-    const auto framed = [&] { return time && isAnimated_ ? motion() : bounds; };
-    return chooseView(reading.root, reading.nodes, options_.camera, bounds, framed);
+    const bool isPosed = time && isAnimated_;
+    const auto framed = [&] { return isPosed ? motion() : bounds; };
+    const std::optional<Box>& targeted = isPosed && rest_->bounds ? rest_->bounds : bounds;
+    return chooseView(reading.root, reading.nodes, options_.camera, targeted, framed);
   }
 
   Rest readRest() {

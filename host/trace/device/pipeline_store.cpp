@@ -7,6 +7,7 @@ namespace candela::device {
 
 vulkan::ComputePipeline PipelineStore::get(vulkan::Device& device, std::span<const std::uint32_t> spirv,
                                            const vulkan::PipelineOptions& options) {
+  const std::scoped_lock lock(mutex_);
   const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
     return entry.code == spirv.data() && entry.options == options;
   });

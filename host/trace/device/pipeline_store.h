@@ -2,13 +2,14 @@
 #pragma once
 #include <cstddef>
 #include <list>
+#include <mutex>
 #include <span>
 
 #include "host/trace/vulkan/compute_pipeline.h"
 
 namespace candela::device {
 
-/// Caches the pipelines that were used last.
+/// Caches the pipelines that were used last. Sessions on several threads may share a store.
 class PipelineStore {
  public:
   /// Maximum number of pipelines. It suffices for a render and its replay with several settings each; a sweep evicts
@@ -27,6 +28,7 @@ class PipelineStore {
     vulkan::ComputePipeline pipeline;
   };
 
+  std::mutex mutex_;
   std::list<Entry> entries_;  // most recently used first
 };
 

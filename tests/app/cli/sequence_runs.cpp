@@ -49,18 +49,7 @@ void requireSequence(const SequenceRuns& runs, const std::string& scene, const T
 
 }  // namespace
 
-std::string movingTriangle() {
-  return R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"tri"}],
-"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],
-"buffers":[{"byteLength":68,"uri":"data:application/octet-stream;base64,)"
-         "AACAvwAAgL8AAAAAAACAPwAAgL8AAAAAAAAAAAAAgD8AAAAAAAAAAAAAgD8AAIC/AAAAAAAAAAAAAIA/AAAAAAAAAAA="
-         R"("}],
-"bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":8},{"buffer":0,"byteOffset":44,"byteLength":24}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[-1,-1,0],"max":[1,1,0]},
-{"bufferView":1,"componentType":5126,"count":2,"type":"SCALAR","min":[0],"max":[1]},
-{"bufferView":2,"componentType":5126,"count":2,"type":"VEC3"}],
-"animations":[{"channels":[{"sampler":0,"target":{"node":0,"path":"translation"}}],"samplers":[{"input":1,"output":2}]}]})";
-}
+std::string movingTriangle() { return readText(CANDELA_SOURCE_DIR "/tests/farm/moving_triangle.gltf"); }
 
 ProgramResult SequenceRuns::run(const std::string& scene, const std::vector<std::string>& options,
                                 const Surroundings& surroundings) const {

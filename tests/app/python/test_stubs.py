@@ -46,7 +46,7 @@ class Stubs(unittest.TestCase):
             self.assertEqual(stated, listed, name)
 
     def test_options_of_classes(self):
-        own = {"Scene": {"normals", "texcoords", "colours", "lights", "camera", "name"}, "Session": set()}
+        own = {"Scene": {"normals", "texcoords", "colours", "lights", "camera", "name"}, "Session": set(), "Sequence": set()}
         for name, others in own.items():
             init = next(member for member in CLASSES[name].body if getattr(member, "name", "") == "__init__")
             listed = options_of_help(getattr(candela, name).__init__.__doc__)

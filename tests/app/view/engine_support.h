@@ -33,16 +33,14 @@ inline render::RenderSettings settingsOf(const Choice& choice, std::uint32_t see
 
 inline Sessions sessionsOf(const Choice& choice, bool) {
   Sessions sessions{testScene(), settingsOf(choice)};
-  sessions.referenceRenderer = reference::makeReferenceRenderer();
-  sessions.reference = sessions.referenceRenderer->prepare(*sessions.scene, sessions.settings);
+  sessions.reference = reference::makeReferenceRenderer()->prepare(*sessions.scene, sessions.settings);
   return sessions;
 }
 
 // A second reference tracer replaces the device. `seed` makes it differ.
 inline auto deviceWithSeed(std::uint32_t seed) {
   return [seed](const Choice& choice, Sessions& sessions) {
-    sessions.deviceRenderer = reference::makeReferenceRenderer();
-    sessions.device = sessions.deviceRenderer->prepare(*sessions.scene, settingsOf(choice, seed));
+    sessions.device = reference::makeReferenceRenderer()->prepare(*sessions.scene, settingsOf(choice, seed));
     sessions.deviceName = "device";
   };
 }

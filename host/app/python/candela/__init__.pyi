@@ -139,6 +139,68 @@ class Film:
     def __deepcopy__(self, memo: dict[int, Any], /) -> Film: ...
 
 @final
+class Sequence:
+    def __init__(
+        self,
+        file: _Path,
+        /,
+        *,
+        lenient: _Flag | None = None,
+        allow_path: _Path | Sequence[_Path] | None = None,
+        env: _Path | None = None,
+        env_rotate: float | None = None,
+        env_scale: float | None = None,
+        camera: str | int | None = None,
+        time: float | None = None,
+        animation: str | int | None = None,
+        orbit: float | None = None,
+        frames: range | str | None = None,
+        fps: float | None = None,
+        turntable: _Count | None = None,
+        spp: _Count | None = None,
+        seed: _Count | Literal["frame"] | None = None,
+        size: _Pair | None = None,
+        max_depth: _Count | None = None,
+        rr_start: _Count | None = None,
+        integrator: _Integrator | None = None,
+        ao_distance: float | Literal["auto"] | None = None,
+        nee: _Flag | None = None,
+        sampler: Literal["independent", "stratified", "sobol"] | None = None,
+        filter: Literal["box", "tent"] | None = None,
+        lens: Literal["disc", "square"] | None = None,
+        pixel_origin: Literal["centre", "corner"] | None = None,
+        light_size: float | None = None,
+        clamp_indirect: float | Literal["off"] | None = None,
+        background: Literal["env", "colour", "none"] | None = None,
+        film_scale: int | Literal["auto"] | None = None,
+        one_sided: _Flag | None = None,
+        crop: _Crop | None = None,
+        device: str | int | None = None,
+        accel: Literal["none", "grid", "bvh"] | None = None,
+        bvh_split: Literal["sah", "midpoint"] | None = None,
+        bvh_quality: Literal["fast", "default", "high"] | None = None,
+        layout: Literal["auto", "bvh2", "cwbvh"] | None = None,
+        loads: Literal["auto", "texel", "storage"] | None = None,
+        grid_density: float | None = None,
+        kernel: Literal["auto", "megakernel", "wavefront"] | None = None,
+        workgroup: _Pair | None = None,
+        tile: _Pair | None = None,
+        segments_per_dispatch: int | Literal["auto"] | None = None,
+        hang_timeout: _Duration | None = None,
+        untuned: _Flag | None = None,
+        no_cache: _Flag | None = None,
+        threads: _Count | None = None,
+        aovs: Sequence[_LayerChoice] | str | None = None,
+        aov_through_specular: _Flag | None = None,
+        denoise: _Flag | Literal["oidn"] | None = None,
+        fallback: Literal["none", "cpu"] | None = None,
+        noise_threshold: float | Literal["off"] | None = None,
+    ) -> None: ...
+    def render(self, frame: SupportsIndex, /, *, progress: _Progress | None = None) -> Film: ...
+    @property
+    def frames(self) -> range: ...
+
+@final
 class Session:
     def __init__(
         self,
