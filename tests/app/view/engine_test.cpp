@@ -1,6 +1,7 @@
 // The worker of a viewer, with two reference tracers.
 #include "host/app/view/engine.h"
 
+#include <atomic>
 #include <catch2/catch.hpp>
 
 #include "engine_support.h"
@@ -116,6 +117,38 @@ TEST_CASE("a choice replaces the sessions, and a file that cannot be read does n
   const EngineView after = waitFor(engine, [](const EngineView& view) { return view.isError; });
   CHECK(after.message == "the scene is broken");
   CHECK(after.sides[0].picture == before.sides[0].picture);
+}
+
+TEST_CASE("another time of the animation keeps the picture until the next one, and prepares the device at once") {
+  EngineHooks hooks = testHooks();
+  std::atomic<int> loads{0}, devices{0};
+  hooks.load = [&](const Choice& choice, bool reads) {
+    ++loads;
+    Sessions sessions = sessionsOf(choice, reads);
+    sessions.animationEnd = 2.0;
+    return sessions;
+  };
+  hooks.addDevice = [&](const Choice& choice, Sessions& sessions) {
+    ++devices;
+    deviceWithSeed(choice.time ? 5 : 0)(choice, sessions);
+  };
+  Engine engine(hooks, {"0"}, Mode::device);
+  const EngineView first = waitFor(engine, finished(Side::device));
+  CHECK(first.animationEnd == 2.0);
+  CHECK(showsTime(first, {"0"}, Mode::device));
+  CHECK_FALSE(showsTime(first, {.device = "0", .time = 1}, Mode::device));
+  bool wasPreparing = false, hadPicture = true;
+  engine.setChoice({.device = "0", .time = 1});
+  const EngineView second = waitFor(engine, [&](const EngineView& view) {
+    wasPreparing = wasPreparing || view.isPreparing;
+    hadPicture = hadPicture && view.sides[0].picture;
+    return view.choice.time == 1.0 && finished(Side::device)(view);
+  });
+  CHECK_FALSE(wasPreparing);
+  CHECK(hadPicture);
+  CHECK(second.sides[0].picture->pixels != first.sides[0].picture->pixels);
+  CHECK(loads == 2);
+  CHECK(devices == 2);
 }
 
 TEST_CASE("a movement of the camera removes the picture of the side that does not follow it") {

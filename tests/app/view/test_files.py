@@ -29,6 +29,29 @@ def textured_triangle(image):
 
 
 class Files(support.WindowTest):
+    def test_an_animation_is_played_and_paused_and_saved_with_its_time(self):
+        self.scene = self.folder / "moving.gltf"
+        self.scene.write_bytes((support.SOURCE / "tests/farm/moving_triangle.gltf").read_bytes())
+        viewer = self.view("--time", 0.25, *OPTIONS)
+        first = self.render("--time", 0.25, *OPTIONS)
+        viewer.wait_for_picture(first, "the first time")
+        viewer.key("k")
+        for _ in range(5):
+            before = viewer.picture()
+            support.wait_for(lambda shown=before: abs(viewer.picture() - shown).max() > 1, "another time")
+        viewer.key("k")
+        viewer.wait_for_samples(2)
+        viewer.key("p")
+        saved = self.folder / "moving.png"
+        support.wait_for(saved.exists, "the saved image")
+        content, pictures = saved.read_bytes(), set()
+        for frame in range(24):
+            self.render("--time", repr(frame / 24), *OPTIONS)
+            pictures.add(self.rendered.read_bytes())
+        self.assertEqual(len(pictures), 24)
+        self.assertIn(content, pictures)
+        self.assertGreater(viewer.close()["frames"], 3)
+
     def test_saved_images_are_those_of_render(self):
         viewer = self.view(*OPTIONS)
         viewer.wait_for_samples(2)
