@@ -71,7 +71,9 @@ SceneSource::~SceneSource() = default;
 scene::LoadedScene SceneSource::at(std::optional<double> time, double orbit) {
   options_.time = time;
   options_.orbit = orbit;
-  return complete(reader_->at(time), options_, environment_);
+  if (time) return complete(reader_->at(time), options_, environment_);
+  if (!atRest_) atRest_ = reader_->at(time);
+  return complete(*atRest_, options_, environment_);
 }
 
 scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOptions& options) {

@@ -33,6 +33,7 @@ class SceneSource {
   std::string bytes_;
   scene::LoadOptions options_;
   std::unique_ptr<scene::SceneReader> reader_;
+  std::optional<scene::LoadedScene> atRest_{};                 ///< once it was made
   std::optional<environment::ReadEnvironment> environment_{};  ///< once a scene was made
 };
 

@@ -1,4 +1,4 @@
-"""Renders the turntable of the gallery as docs/gallery.md states it, small and with few frames, by an array of a real Slurm.
+"""Renders the turntable of the gallery as docs/gallery.md states it, small and with few frames, in one run and by a real Slurm.
 
     python3 test_turntable.py CANDELA
 """
@@ -36,33 +36,40 @@ class TurntableTest(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         return run.stdout
 
-    def render(self, write, submit):
-        """Runs the commands that write the frames and render them, with other sizes."""
-        self.run_words([*write, "--frames", str(FRAMES), "--", "--size", "24x15", "--spp", "8", "--device", "cpu"])
+    def small(self, words):
+        """Returns a command of the page with other sizes, on the reference."""
+        replaced = {"--turntable": str(FRAMES), "--size": "24x15", "--spp": "8"}
+        result = [word.replace("turntable/", f"{self.folder}/") for word in words]
+        for option, value in replaced.items():
+            result[result.index(option) + 1] = value
+        return [*result, "--device", "cpu"]
+
+    def submit(self, words):
         with SlurmCluster(self.folder / "slurm") as cluster:
-            self.run_words([*submit, "--candela", CANDELA, "--probe-time", "0.5"], cluster.environment)
+            position = words.index("--")
+            self.run_words([*words[:position], "--candela", CANDELA, "--probe-time", "0.5", *words[position:]],
+                           cluster.environment)
             cluster.wait_for(lambda: not cluster.run("squeue", "--noheader").strip(), "all jobs have ended")
 
     def test_the_commands_of_the_page_make_an_animation_of_a_full_turn(self):
-        frames = self.folder / "turntable"
-        write, submit, assemble = ([word.replace("turntable/", f"{frames}/") for word in words]
-                                   for words in commands_of_page())
-        self.render(write, submit)
-        pictures = [frames / f"frame_{frame:03}.png" for frame in range(FRAMES)]
-        self.assertEqual(len({picture.read_bytes() for picture in pictures}), FRAMES)
+        make_folder, render, assemble, submit = commands_of_page()
+        self.assertEqual(make_folder, ["mkdir", "turntable"])
+        self.run_words([CANDELA, *self.small(render)[1:]])
+        pictures = [self.folder / f"frame.{frame:02}.png" for frame in range(FRAMES)]
+        contents = [picture.read_bytes() for picture in pictures]
+        self.assertEqual(len(set(contents)), FRAMES)
+
         animation = self.folder / "turntable.webp"
-        self.run_words(["sh", "-c", " ".join(assemble[:-1]) + f" {animation}"])
+        words = [word.replace("turntable/*", f"{self.folder}/*") for word in assemble[:-1]]
+        self.run_words(["sh", "-c", " ".join([*words, str(animation)])])
         information = self.run_words(["webpmux", "-info", str(animation)])
         self.assertIn("Canvas size: 24 x 15", information)
         self.assertIn(f"Number of frames: {FRAMES}", information)
 
-    def test_the_camera_circles_at_its_height(self):
-        self.run_words([sys.executable, "docs/gallery/turntable.py", str(self.folder), "--frames", str(FRAMES)])
-        positions = []
-        for frame in range(FRAMES):
-            text = (self.folder / f"frame_{frame:03}.p3f").read_text()
-            positions.append([float(word) for word in re.search(r"^from (.*)$", text, re.MULTILINE)[1].split()])
-        self.assertEqual(positions, [[0, -7.5, 2.6], [7.5, 0, 2.6], [0, 7.5, 2.6], [-7.5, 0, 2.6]])
+        for picture in pictures:
+            picture.unlink()
+        self.submit(self.small(submit))
+        self.assertEqual([picture.read_bytes() for picture in pictures], contents)
 
 
 if __name__ == "__main__":

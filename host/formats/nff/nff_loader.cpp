@@ -134,25 +134,20 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
 /// A file, which looks the same at all times.
 class NffReader final : public SceneReader {
  public:
-  NffReader(const SceneFile& file, const LoadOptions& options, bool isOften)
-      : file_(file), options_(options), isOften_(isOften) {}
+  NffReader(const SceneFile& file, const LoadOptions& options) : file_(file), options_(options) {}
 
   LoadedScene at(std::optional<double> time) override {
     options_.time = time;
-    if (!isOften_) return loadNff(file_, options_);
-    if (!loaded_) loaded_ = loadNff(file_, options_);
-    return *loaded_;
+    return loadNff(file_, options_);
   }
 
  private:
   SceneFile file_;
   LoadOptions options_;
-  bool isOften_;
-  std::optional<LoadedScene> loaded_{};
 };
 
-std::unique_ptr<SceneReader> openNff(const SceneFile& file, const LoadOptions& options, bool isOften) {
-  return std::make_unique<NffReader>(file, options, isOften);
+std::unique_ptr<SceneReader> openNff(const SceneFile& file, const LoadOptions& options, bool) {
+  return std::make_unique<NffReader>(file, options);
 }
 
 }  // namespace
