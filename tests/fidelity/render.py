@@ -9,8 +9,8 @@ google/model-viewer, where it comes from). The second form is that of the compar
 one scenario with all of its defaults as the last argument. Options behind -- go to candela.
 
 As the comparison prescribes, pictures have twice the stated size, three.js' ACES curve, the camera on the stated orbit
-with the stated vertical field of view, and alpha instead of the environment unless renderSkybox is set. Exit code: 0
-every scenario was rendered, 1 some were not.
+with the stated vertical field of view, and alpha instead of the environment unless renderSkybox is set. --measure and
+--verify write what table.py makes tables of. Exit code: 0 every scenario was rendered, 1 some were not.
 """
 import argparse
 import json
@@ -22,6 +22,9 @@ from pathlib import Path
 from wrapped_model import wrap
 
 PIXEL_RATIO = 2  # pixels of a picture per pixel of a scenario
+NOISE_FRACTION = 4  # samples of a picture per sample of the second picture, which --measure renders
+PICTURE_NAME, REPORT_NAME = "candela-golden.png", "candela-report.json"
+NOISE_NAME, VERDICT_NAME = "candela-noise.png", "candela-verdict.json"
 DEFAULTS = {"lighting": "../../../environments/lightroom_14b.hdr",
             "dimensions": {"width": 768, "height": 768},
             "target": {"x": 0, "y": 0, "z": 0},
@@ -71,13 +74,34 @@ def environment_of(scenario, options):
     raise Missing(f"{scenario['lighting']}: the environment is not there; see --root and --env")
 
 
-def command_of(scenario, model: Path, camera, copy: Path, output: Path, options):
-    """Returns the command that renders a copy of the model."""
-    size = [PIXEL_RATIO * scenario["dimensions"][side] for side in ("width", "height")]
-    return [options.candela, str(copy), "--allow-path", str(model.parent.resolve()), "--camera", str(camera),
-            "--size", f"{size[0]}x{size[1]}", "--env", environment_of(scenario, options),
-            "--background", "env" if scenario["renderSkybox"] else "none", "--tonemap", "aces-hill",
-            "--spp", str(options.spp), "-o", str(output), *options.candela_options]
+def size_of(scenario, width=None):
+    """Returns a size as candela takes it: that of the comparison, or one of this width with the same proportions."""
+    whole = [PIXEL_RATIO * scenario["dimensions"][side] for side in ("width", "height")]
+    if width is None:
+        return f"{whole[0]}x{whole[1]}"
+    return f"{width}x{max(1, round(width * whole[1] / whole[0]))}"
+
+
+def scene_of(scenario, model: Path, camera, copy: Path, options):
+    """Returns the arguments that name the scene: a copy of the model, its camera and its environment."""
+    return [str(copy), "--allow-path", str(model.parent.resolve()), "--camera", str(camera),
+            "--env", environment_of(scenario, options)]
+
+
+def commands_of(scenario, scene, output: Path, options):
+    """Returns the commands that a scenario needs: the picture, and what --measure and --verify add."""
+    picture = [options.candela, *scene, "--size", size_of(scenario, options.width),
+               "--background", "env" if scenario["renderSkybox"] else "none", "--tonemap", "aces-hill"]
+    commands = [[*picture, "--spp", str(options.spp), "-o", str(output), *options.candela_options]]
+    if options.measure:
+        commands[0] += ["--json", str(output.with_name(REPORT_NAME))]
+        commands.append([*picture, "--spp", str(max(1, options.spp // NOISE_FRACTION)), "--seed", "1",
+                         "-o", str(output.with_name(NOISE_NAME)), *options.candela_options])
+    if options.verify:
+        commands.append([options.candela, "verify", *scene, "--size", size_of(scenario, options.verify),
+                         "--allow-undecided", "--json", str(output.with_name(VERDICT_NAME)), "-q",
+                         *options.candela_options])
+    return commands if not options.verify_only else commands[-1:]
 
 
 def render(scenario, output: Path, options):
@@ -88,7 +112,9 @@ def render(scenario, output: Path, options):
         output.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory() as folder:
             copy, camera = wrap(model, scenario, Path(folder))
-            code = subprocess.run(command_of(scenario, model, camera, copy, output, options)).returncode
+            scene = scene_of(scenario, model, camera, copy, options)
+            codes = [subprocess.run(command).returncode for command in commands_of(scenario, scene, output, options)]
+            code = max(codes)
     except (Missing, OSError) as error:
         print(f"{name}: {error}", file=sys.stderr)
         return False
@@ -104,7 +130,14 @@ def jobs_of(options):
     scenarios = json.loads(options.config.read_text())["scenarios"]
     wanted = [text.lower() for text in options.scenario]
     chosen = [s for s in scenarios if not wanted or any(text in s["name"].lower() for text in wanted)]
-    return [(completed(s), options.output / s["name"] / "candela-golden.png") for s in chosen]
+    return [(completed(s), options.output / s["name"] / PICTURE_NAME) for s in chosen]
+
+
+def peak_mebibytes():
+    """Returns the maximum resident memory of the programs that were run; Linux reports KiB, macOS bytes."""
+    import resource  # Python for Windows lacks it.
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+    return peak / (2**20 if sys.platform == "darwin" else 2**10)
 
 
 def parse(words):
@@ -116,6 +149,11 @@ def parse(words):
     parser.add_argument("--models", type=Path, help="folder with models that are not below the root")
     parser.add_argument("--env", help="environment instead of the scenarios' own, as candela --env takes it")
     parser.add_argument("--spp", type=int, default=256, help="samples per pixel (default: 256)")
+    parser.add_argument("--width", type=int, help="width of the pictures (default: twice the scenario's)")
+    parser.add_argument("--measure", action="store_true",
+                        help="also write candela's report, and a second picture of a quarter of the samples")
+    parser.add_argument("--verify", type=int, metavar="WIDTH", help="also run candela verify at this width")
+    parser.add_argument("--verify-only", action="store_true", help="with --verify: render no pictures")
     parser.add_argument("--candela", default="build/release/candela", help="the program")
     parser.add_argument("-o", "--output", type=Path, default=Path("goldens"), help="folder of the pictures")
     split = words.index("--") if "--" in words else len(words)
@@ -132,6 +170,8 @@ def main():
     if not jobs:
         sys.exit("no scenario has this name")
     done = [render(scenario, output, options) for scenario, output in jobs]
+    if options.measure:
+        print(f"{sum(done)} of {len(done)} scenarios; maximum memory of candela: {peak_mebibytes():.0f} MiB")
     return 0 if all(done) else 1
 
 
