@@ -4,6 +4,7 @@ from PIL import Image, ImageDraw
 
 BACKDROP = 255  # level of each channel behind pictures with alpha: the page of the comparison is white
 COVERED = 0.5  # minimum alpha, in one of two pictures, of a pixel that counts
+PROPORTION_TOLERANCE = 0.01  # relative difference of the proportions of pictures that are compared
 GAP, LABEL_HEIGHT, SHEET_WIDTH = 4, 14, 320  # pixels between pictures of a sheet, above them, and across each
 
 
@@ -34,8 +35,11 @@ def difference(ours, theirs):
     """Returns the mean and the root mean square of ours minus theirs, in per cent of the range of a channel.
 
     Pixels count that at least one of both pictures covers, all of them in pictures that show their environment. The
-    larger picture is reduced to the size of the smaller one.
+    larger picture is reduced to the size of the smaller one. The result is None if nothing is covered, or if the pictures
+    have other proportions, as those of scenarios whose size has changed since.
     """
+    if abs(ours.width * theirs.height / (ours.height * theirs.width) - 1) > PROPORTION_TOLERANCE:
+        return None
     size = min(ours.size, theirs.size)
     (a, cover_a), (b, cover_b) = (levels_and_cover(reduced(image, size)) for image in (ours, theirs))
     counted = numpy.maximum(cover_a, cover_b) >= COVERED

@@ -9,8 +9,9 @@ google/model-viewer, where it comes from). The second form is that of the compar
 one scenario with all of its defaults as the last argument. Options behind -- go to candela.
 
 As the comparison prescribes, pictures have twice the stated size, three.js' ACES curve, the camera on the stated orbit
-with the stated vertical field of view, and alpha instead of the environment unless renderSkybox is set. --measure and
---verify write what table.py makes tables of. Exit code: 0 every scenario was rendered, 1 some were not.
+with the stated vertical field of view, and alpha instead of the environment unless renderSkybox is set. The backs of
+single-sided surfaces are not seen, as glTF prescribes and some models test. --measure and --verify write what table.py
+makes tables of. Exit code: 0 every scenario was rendered, 1 some were not.
 """
 import argparse
 import json
@@ -85,7 +86,7 @@ def size_of(scenario, width=None):
 def scene_of(scenario, model: Path, camera, copy: Path, options):
     """Returns the arguments that name the scene: a copy of the model, its camera and its environment."""
     return [str(copy), "--allow-path", str(model.parent.resolve()), "--camera", str(camera),
-            "--env", environment_of(scenario, options)]
+            "--env", environment_of(scenario, options), "--one-sided"]
 
 
 def commands_of(scenario, scene, output: Path, options):

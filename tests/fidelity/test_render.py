@@ -5,6 +5,8 @@
 import base64
 import json
 import math
+import os
+import shutil
 import struct
 import subprocess
 import sys
@@ -98,10 +100,55 @@ class ScenarioTest(unittest.TestCase):
         self.assertEqual(render.below(Path("/r"), "../../../a/b.glb"), Path("/r/a/b.glb"))
 
 
+class EntryTest(unittest.TestCase):
+    """The entry among the generator's renderers, read as its render-goldens.ts and renderer-offline.ts read it."""
+
+    def test_it_has_the_members_that_the_generator_reads(self):
+        entry = json.loads((HERE / "renderer.json").read_text())
+        self.assertEqual(set(entry), {"name", "description", "command"})
+        self.assertEqual(f"{entry['name']}-golden.png", render.PICTURE_NAME)
+        self.assertIsInstance(entry["description"], str)
+        self.assertEqual(set(entry["command"]), {"executable", "args"})
+        self.assertTrue(all(isinstance(word, str) for word in [entry["command"]["executable"], *entry["command"]["args"]]))
+
+    def test_the_generator_gets_a_picture_or_an_exit_code_and_a_message(self):
+        entry = json.loads((HERE / "renderer.json").read_text())
+        with tempfile.TemporaryDirectory() as name:
+            root = Path(name)
+            scripts, programs, models = root / "test/renderers/candela", root / "programs", root / "glTF-Sample-Assets/box"
+            for folder in (scripts, programs, models, root / "environments"):
+                folder.mkdir(parents=True)
+            for file in ("render.py", "wrapped_model.py"):
+                shutil.copy(HERE / file, scripts)
+            (programs / "candela").symlink_to(Path(CANDELA).resolve())
+            generated(models)
+            (root / "environments/grey.pfm").write_bytes(b"PF\n2 1\n-1.0\n" + struct.pack("<6f", *[0.5] * 6))
+            scenario = render.completed({"name": "a", "model": "../../../glTF-Sample-Assets/box/box.gltf",
+                                         "lighting": "../../../environments/grey.pfm", "orbit": {"radius": 12},
+                                         "dimensions": {"width": 4, "height": 2}})
+            output = root / "test/goldens/a" / render.PICTURE_NAME
+            for model, code in (("box.gltf", 0), ("none.gltf", 1)):
+                scenario["model"] = scenario["model"].replace("box.gltf", model)
+                command = [entry["command"]["executable"], *entry["command"]["args"],
+                           json.dumps({"scenario": scenario, "outputFile": str(output)})]
+                result = subprocess.run(command, cwd=root, capture_output=True, text=True,
+                                        env={**os.environ, "PATH": f"{programs}{os.pathsep}{os.environ['PATH']}"})
+                self.assertEqual(result.returncode, code, result.stderr)
+            self.assertIn("the model is not there", result.stderr)
+            self.assertEqual(png_head(output), (8, 4, 6))
+
+
 class RenderTest(unittest.TestCase):
     def run_script(self, *words):
         return subprocess.run([sys.executable, HERE / "render.py", "--candela", CANDELA, "--spp", "2", *map(str, words)],
                               capture_output=True, text=True)
+
+    def device(self):
+        """The index of a device that can be verified; the reference tracer cannot be compared with itself."""
+        listed = subprocess.run([CANDELA, "devices"], capture_output=True, text=True).stdout
+        if not listed.lstrip().startswith("0 "):
+            self.skipTest("no Vulkan device renders here")
+        return "0"
 
     def test_a_list_of_scenarios_gives_pictures_with_and_without_alpha(self):
         with tempfile.TemporaryDirectory() as name:
@@ -140,6 +187,23 @@ class RenderTest(unittest.TestCase):
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(png_head(folder / "deep/a.png"), (16, 16, 6))
             self.assertIn("the environment is not there", self.run_script("--root", folder, request).stderr)
+
+    def test_a_measured_scenario_has_reports_a_second_picture_and_a_verdict(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            generated(folder)
+            scenario = {"name": "a", "model": "../../../box.gltf", "dimensions": {"width": 40, "height": 30},
+                        "orbit": {"radius": 12}}
+            (folder / "config.json").write_text(json.dumps({"scenarios": [scenario]}))
+            words = ["--config", folder / "config.json", "--root", folder, "--env", "white", "-o", folder / "out",
+                     "--width", "8", "--measure", "--verify", "4", "--", "--device", self.device(), "-q"]
+            result = self.run_script(*words)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            made = folder / "out/a"
+            self.assertEqual(png_head(made / render.PICTURE_NAME), (8, 6, 6))
+            self.assertEqual(png_head(made / render.NOISE_NAME), (8, 6, 6))
+            self.assertEqual(json.loads((made / render.REPORT_NAME).read_text())["settings"]["samplesPerPixel"], 2)
+            self.assertIn("verdict", json.loads((made / render.VERDICT_NAME).read_text()))
 
 
 if __name__ == "__main__":
