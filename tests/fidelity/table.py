@@ -114,9 +114,9 @@ def tables(scenarios, results, remarks):
     yield "|---|---|" + "---:|" * (len(PATH_TRACERS) + 3) + "---|---:|"
     yield from (row_of(result, remarks["scenarios"]) for result in results)
     rendered = {result["name"] for result in results}
-    without = [short(name) for name in scenarios if name not in rendered]
+    reasons = {**remarks["unavailable"], **remarks["lacking"]}
     yield from ("", "| scenario without a picture | reason |", "|---|---|")
-    yield from (f"| {name} | {remarks['excluded'].get(name, 'not rendered')} |" for name in without)
+    yield from (f"| {short(name)} | {reasons.get(short(name), 'not rendered')} |" for name in scenarios if name not in rendered)
     seconds = [result["seconds"] for result in results if result["seconds"] is not None]
     if seconds:
         yield from ("", f"{len(results)} of {len(scenarios)} scenarios have a picture; {sum(seconds) / 60:.0f} minutes, "
@@ -131,8 +131,9 @@ def main():
     parser.add_argument("--sheets", type=Path, help="also write sheets with our picture beside the published ones")
     options = parser.parse_args()
     scenarios = [scenario["name"] for scenario in json.loads(options.config.read_text())["scenarios"]]
-    results = [measured(name, options) for name in scenarios if (options.ours / name / PICTURE_NAME).is_file()]
-    remarks = json_of(REMARKS) or {"scenarios": {}, "excluded": {}}
+    remarks = json_of(REMARKS)
+    results = [measured(name, options) for name in scenarios
+               if short(name) not in remarks["lacking"] and (options.ours / name / PICTURE_NAME).is_file()]
     print("\n".join(tables(scenarios, results, remarks)))
 
 
