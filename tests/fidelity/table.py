@@ -61,11 +61,12 @@ def spread_of(theirs):
 
 
 def verdict_cells(report):
-    """Returns the cells of the verdict of candela verify and of the bias that it would have detected."""
-    if report is None:
+    """Returns the cells of the verdict of candela verify and of the difference of means that it would have detected."""
+    if report is None or report["interrupted"]:
         return NONE, NONE
     verdict = "not decided" if report["undecided"] else "same light" if report["agrees"] else "**differs**"
-    return verdict, number(100 * report["bias"], 2) if report["bias"] is not None else NONE
+    detectable = report["sameLight"]["regions"][0]["detectableBias"]  # The first region is the whole image.
+    return verdict, NONE if detectable is None else number(100 * detectable, 2)
 
 
 def number(value, digits=1):
@@ -116,7 +117,9 @@ def tables(scenarios, results, remarks):
     rendered = {result["name"] for result in results}
     reasons = {**remarks["unavailable"], **remarks["lacking"]}
     yield from ("", "| scenario without a picture | reason |", "|---|---|")
-    yield from (f"| {short(name)} | {reasons.get(short(name), 'not rendered')} |" for name in scenarios if name not in rendered)
+    without = [short(name) for name in scenarios if name not in rendered]
+    without.sort(key=lambda name: name not in remarks["lacking"])
+    yield from (f"| {name} | {reasons.get(name, 'not rendered')} |" for name in without)
     seconds = [result["seconds"] for result in results if result["seconds"] is not None]
     if seconds:
         yield from ("", f"{len(results)} of {len(scenarios)} scenarios have a picture; {sum(seconds) / 60:.0f} minutes, "

@@ -66,7 +66,8 @@ class TableTest(unittest.TestCase):
             picture((51, 51, 51)).save(folder / "published/khronos-A/blender-cycles-golden.thumb.webp", lossless=True)
             (ours / table.REPORT_NAME).write_text(json.dumps({"phaseSeconds": {"total": 7.1},
                                                               "settings": {"samplesPerPixel": 64}}))
-            (ours / table.VERDICT_NAME).write_text(json.dumps({"agrees": True, "undecided": None, "bias": 0.0012}))
+            (ours / table.VERDICT_NAME).write_text(json.dumps({"agrees": True, "undecided": None, "interrupted": False,
+                                                               "sameLight": {"regions": [{"detectableBias": 0.0012}]}}))
             words = ["table.py", "--config", "config.json", "--ours", "ours", "--published", "published", "--sheets", "sheets"]
             words = [str(folder / word) if not word.startswith("--") else word for word in words]
             with mock.patch("sys.argv", words), contextlib.redirect_stdout(io.StringIO()) as printed:
