@@ -35,8 +35,8 @@ def difference(ours, theirs):
     """Returns the mean and the root mean square of ours minus theirs, in per cent of the range of a channel.
 
     Pixels count that at least one of both pictures covers, all of them in pictures that show their environment. The
-    larger picture is reduced to the size of the smaller one. The result is None if nothing is covered, or if the pictures
-    have other proportions, as those of scenarios whose size has changed since.
+    larger picture is reduced to the size of the smaller one. The result is None if nothing is covered, or if the
+    pictures have other proportions, as those of scenarios whose size has changed since.
     """
     if abs(ours.width * theirs.height / (ours.height * theirs.width) - 1) > PROPORTION_TOLERANCE:
         return None

@@ -5,10 +5,12 @@
     python3 tests/fidelity/table.py --config CONFIG.json --ours OURS --published DIR [--sheets DIR]
 
 --published is test/goldens of KhronosGroup/glTF-Render-Fidelity-Generator, or public/thumbnails/goldens of
-KhronosGroup/glTF-Render-Fidelity, which has the same pictures 512 pixels wide. Differences are ours minus theirs, in per
-cent of the range of a channel: mean / root mean square over the pixels that one of both covers. `among them` is the mean
-of the root mean squares of all pairs of published path tracers. Noise is the root mean square of the standard error, from
-the second picture of render.py --measure. Needs NumPy and Pillow (Debian: python3-numpy, python3-pil).
+KhronosGroup/glTF-Render-Fidelity, which has the same pictures 512 pixels wide. Differences are ours minus theirs, in
+per cent of the range of a channel: mean / root mean square over the pixels that one of both covers. `among them` is the
+mean of the root mean squares of all pairs of published path tracers. Noise is the root mean square of the standard
+error, from the second picture of render.py --measure. remarks.json has a sentence for each picture, the scenarios that
+need features which Candela lacks, and those whose files were not available. Needs NumPy and Pillow (Debian:
+python3-numpy, python3-pil).
 """
 import argparse
 import itertools
@@ -84,7 +86,7 @@ def measured(scenario, options):
     report = json_of(folder / REPORT_NAME)
     return {"name": scenario, "differences": {name: pictures.difference(ours, image) for name, image in theirs.items()},
             "spread": spread_of(theirs), "noise": noise_of(folder, ours), "verdict": json_of(folder / VERDICT_NAME),
-            "seconds": report and report["phaseSeconds"]["total"], "samples": report and report["settings"]["samplesPerPixel"]}
+            "seconds": report and report["phaseSeconds"]["total"]}
 
 
 def row_of(result, remarks):
@@ -122,8 +124,8 @@ def tables(scenarios, results, remarks):
     yield from (f"| {name} | {reasons.get(name, 'not rendered')} |" for name in without)
     seconds = [result["seconds"] for result in results if result["seconds"] is not None]
     if seconds:
-        yield from ("", f"{len(results)} of {len(scenarios)} scenarios have a picture; {sum(seconds) / 60:.0f} minutes, "
-                    f"median {statistics.median(seconds):.0f} s.")
+        yield from ("", f"{len(results)} of {len(scenarios)} scenarios have a picture; "
+                    f"{sum(seconds) / 60:.0f} minutes, median {statistics.median(seconds):.0f} s.")
 
 
 def main():

@@ -109,13 +109,15 @@ class EntryTest(unittest.TestCase):
         self.assertEqual(f"{entry['name']}-golden.png", render.PICTURE_NAME)
         self.assertIsInstance(entry["description"], str)
         self.assertEqual(set(entry["command"]), {"executable", "args"})
-        self.assertTrue(all(isinstance(word, str) for word in [entry["command"]["executable"], *entry["command"]["args"]]))
+        words = [entry["command"]["executable"], *entry["command"]["args"]]
+        self.assertTrue(all(isinstance(word, str) for word in words))
 
     def test_the_generator_gets_a_picture_or_an_exit_code_and_a_message(self):
         entry = json.loads((HERE / "renderer.json").read_text())
         with tempfile.TemporaryDirectory() as name:
             root = Path(name)
-            scripts, programs, models = root / "test/renderers/candela", root / "programs", root / "glTF-Sample-Assets/box"
+            scripts, programs = root / "test/renderers/candela", root / "programs"
+            models = root / "glTF-Sample-Assets/box"
             for folder in (scripts, programs, models, root / "environments"):
                 folder.mkdir(parents=True)
             for file in ("render.py", "wrapped_model.py"):
