@@ -102,7 +102,7 @@ def commands_of(scenario, scene, output: Path, options):
         commands.append([options.candela, "verify", *scene, "--size", size_of(scenario, options.verify),
                          "--allow-undecided", "--json", str(output.with_name(VERDICT_NAME)), "-q",
                          *options.candela_options])
-    return commands if not options.verify_only else commands[-1:]
+    return commands[-1:] if options.verify_only else commands
 
 
 def render(scenario, output: Path, options):
@@ -162,6 +162,8 @@ def parse(words):
     options.candela_options = words[split + 1:]
     if bool(options.request) == bool(options.config):
         parser.error("state either --config or one scenario as JSON")
+    if options.verify_only and not options.verify:
+        parser.error("--verify-only needs --verify WIDTH")
     return options
 
 
