@@ -24,6 +24,7 @@ from wrapped_model import wrap
 
 PIXEL_RATIO = 2  # pixels of a picture per pixel of a scenario
 NOISE_FRACTION = 4  # samples of a picture per sample of the second picture, which --measure renders
+RENDERER_NAME = "candela"  # in the generator's list of renderers and in the lists `exclude` of its scenarios
 PICTURE_NAME, REPORT_NAME = "candela-golden.png", "candela-report.json"
 NOISE_NAME, VERDICT_NAME = "candela-noise.png", "candela-verdict.json"
 DEFAULTS = {"lighting": "../../../environments/lightroom_14b.hdr",
@@ -124,13 +125,14 @@ def render(scenario, output: Path, options):
 
 
 def jobs_of(options):
-    """Returns pairs of a scenario and its picture."""
+    """Returns pairs of a scenario and its picture, without the scenarios that exclude Candela."""
     if options.request:
         request = json.loads(options.request)
         return [(completed(request["scenario"]), Path(request["outputFile"]))]
     scenarios = json.loads(options.config.read_text())["scenarios"]
     wanted = [text.lower() for text in options.scenario]
-    chosen = [s for s in scenarios if not wanted or any(text in s["name"].lower() for text in wanted)]
+    chosen = [s for s in scenarios if RENDERER_NAME not in s.get("exclude", [])
+              and (not wanted or any(text in s["name"].lower() for text in wanted))]
     return [(completed(s), options.output / s["name"] / PICTURE_NAME) for s in chosen]
 
 

@@ -106,6 +106,7 @@ class EntryTest(unittest.TestCase):
     def test_it_has_the_members_that_the_generator_reads(self):
         entry = json.loads((HERE / "renderer.json").read_text())
         self.assertEqual(set(entry), {"name", "description", "command"})
+        self.assertEqual(entry["name"], render.RENDERER_NAME)
         self.assertEqual(f"{entry['name']}-golden.png", render.PICTURE_NAME)
         self.assertIsInstance(entry["description"], str)
         self.assertEqual(set(entry["command"]), {"executable", "args"})
@@ -161,7 +162,8 @@ class RenderTest(unittest.TestCase):
             config = {"scenarios": [{**common, "name": "one"}, {**common, "name": "two", "renderSkybox": True},
                                     {**common, "name": "three", "model": "../../../none.glb"},
                                     {**common, "name": "four", "model": "../../../folder"},
-                                    {**common, "name": "five", "model": "../../../broken.glb"}]}
+                                    {**common, "name": "five", "model": "../../../broken.glb"},
+                                    {**common, "name": "six", "exclude": ["vray", "candela"]}]}
             (folder / "folder").mkdir()
             (folder / "broken.glb").symlink_to(folder / "broken.glb")
             (folder / "config.json").write_text(json.dumps(config))
@@ -171,6 +173,7 @@ class RenderTest(unittest.TestCase):
             self.assertIn("three: ../../../none.glb: the model is not there", result.stderr)
             self.assertIn("four: ../../../folder: the model is not there", result.stderr)
             self.assertIn("five: ", result.stderr)
+            self.assertFalse((folder / "out/six").exists())
             self.assertEqual(png_head(folder / "out/one/candela-golden.png"), (48, 24, 6))
             self.assertEqual(png_head(folder / "out/two/candela-golden.png"), (48, 24, 2))
             result = self.run_script(*words, "--scenario", "TWO", "--", "--device", "cpu", "-q")
