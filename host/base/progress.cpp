@@ -70,8 +70,10 @@ void Progress::update(double fraction, std::uint64_t samplesDone, const std::str
   }
 }
 
-Progress::~Progress() {
+void Progress::clear() {
   if (style_ == ProgressStyle::terminal) sink_ << kClearLine << std::flush;
 }
+
+Progress::~Progress() { clear(); }
 
 }  // namespace candela

@@ -22,7 +22,7 @@ class Progress {
  public:
   using Clock = std::function<double()>;
 
-  /// Starts the clock. The destructor removes the line on the terminal.
+  /// Starts the clock. The destructor clears the line.
   Progress(std::ostream& sink, ProgressStyle style, Clock clock = monotonicSeconds);
   ~Progress();
   Progress(const Progress&) = delete;
@@ -32,6 +32,8 @@ class Progress {
   /// updates per second. A plain log gets a line every 10 %, but not within 5 s of the last line, or else every minute.
   /// `head` begins the text.
   void update(double fraction, std::uint64_t samplesDone, const std::string& head = {});
+  /// Removes the line on the terminal until the next update, so that a message can be printed.
+  void clear();
 
  private:
   bool isDue(double now, double fraction) const;

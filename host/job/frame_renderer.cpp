@@ -131,15 +131,17 @@ class FrameRenderer::Kept {
   std::unique_ptr<render::Session> session_;
 };
 
-FrameRenderer::FrameRenderer(OpenDevice open) : open_(std::move(open)), kept_(std::make_unique<Kept>()) {}
+FrameRenderer::FrameRenderer(OpenDevice open)
+    : open_(std::move(open)), device_(std::make_unique<Kept>()), reference_(std::make_unique<Kept>()) {}
 
 FrameRenderer::~FrameRenderer() = default;
 
 JobResult FrameRenderer::run(const Job& job, const JobControl& control, const Log& log) {
-  if (!open_) return runJob(job, {}, control, log);
-  kept_->begin(job);
-  const OpenDevice lend = [this] { return kept_->lend(open_); };
-  return runJob(job, lend, control, log);
+  device_->begin(job);
+  reference_->begin(job);
+  const auto lendDevice = [this] { return device_->lend(open_); };
+  const auto lendReference = [this] { return reference_->lend(reference::makeReferenceRenderer); };
+  return runJob(job, open_ ? OpenDevice(lendDevice) : OpenDevice(), control, log, lendReference);
 }
 
 }  // namespace candela::job

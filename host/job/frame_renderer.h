@@ -8,7 +8,7 @@ namespace candela::job {
 
 /// Runs the jobs of a sequence. The device is opened once, and its pipelines stay. If the scene and the settings of a
 /// job differ from those of the job before at most in camera and seed, the session stays, too: nothing is built or
-/// uploaded again. After a failure of the device, everything is prepared again. The reference prepares each job.
+/// uploaded again. After a failure of the device, everything is prepared again.
 class FrameRenderer {
  public:
   /// `open` is that of runJob(); what it refers to must outlive this object.
@@ -25,7 +25,7 @@ class FrameRenderer {
   class Kept;
 
   OpenDevice open_;
-  std::unique_ptr<Kept> kept_;
+  std::unique_ptr<Kept> device_, reference_;
 };
 
 }  // namespace candela::job

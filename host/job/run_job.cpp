@@ -19,7 +19,6 @@
 #include "host/job/render_watch.h"
 #include "host/job/resumption.h"
 #include "host/job/sample_loop.h"
-#include "host/trace/reference/reference_renderer.h"
 
 namespace candela::job {
 namespace {
@@ -144,9 +143,11 @@ struct Inheritance {
 /// the next attempt continues it.
 class JobRun {
  public:
-  JobRun(const Job& job, const OpenDevice& open, const JobControl& control, const Log& log)
+  JobRun(const Job& job, const OpenDevice& open, const OpenDevice& openReference, const JobControl& control,
+         const Log& log)
       : job_(job),
         open_(open),
+        openReference_(openReference),
         log_(log),
         control_(control),
         range_(samplesOf(job)),
@@ -185,7 +186,7 @@ class JobRun {
     isReady_ = false;
     settings_.execution.maxBandBytes = failures_.maxBandBytes();
     settings_.execution.dispatchSeconds = failures_.dispatchSeconds();
-    renderer_ = usesReference_ ? reference::makeReferenceRenderer() : open_();
+    renderer_ = usesReference_ ? openReference_() : open_();
     session_ = renderer_->prepare(job_.scene(), settings_);
     loop_.emplace(*session_, watch_, [this](bool mustWrite) { pause(mustWrite); });
     if (salvaged_) {
@@ -373,6 +374,7 @@ class JobRun {
 
   const Job& job_;
   const OpenDevice& open_;
+  const OpenDevice& openReference_;
   const Log& log_;
   const JobControl& control_;
   render::SampleRange range_;
@@ -397,9 +399,10 @@ class JobRun {
 
 }  // namespace
 
-JobResult runJob(const Job& job, const OpenDevice& open, const JobControl& control, const Log& log) {
+JobResult runJob(const Job& job, const OpenDevice& open, const JobControl& control, const Log& log,
+                 const OpenDevice& openReference) {
   requirePossible(job.scene(), job.settings, job.film, false);
-  return JobRun(job, open, control, log).run();
+  return JobRun(job, open, openReference, control, log).run();
 }
 
 }  // namespace candela::job

@@ -13,11 +13,12 @@
 #include "host/job/film/film_header.h"
 #include "host/job/film/work_report.h"
 #include "host/job/job.h"
+#include "host/trace/reference/reference_renderer.h"
 #include "host/trace/render/renderer.h"
 
 namespace candela::job {
 
-/// Opens the device of a job. It is called again after each failure, and throws as the tracers do.
+/// Opens a tracer of a job. It is called again after each failure, and throws as the tracers do.
 using OpenDevice = std::function<std::unique_ptr<render::Renderer>()>;
 
 /// The means by which a caller watches and stops a job.
@@ -49,10 +50,11 @@ struct JobResult {
   std::optional<DeviceFailure> failure{};
 };
 
-/// Runs a job on the device that `open` opens, or on the reference if it is empty. Throws as requirePossible(),
-/// render::Renderer::prepare() and Session::advance() do; FileError for films that cannot be resumed; and Error, with
-/// the code of the failure, if the device failed for good before there was a sample. A film that cannot be written is a
-/// problem in the log.
-JobResult runJob(const Job& job, const OpenDevice& open, const JobControl& control, const Log& log);
+/// Runs a job on the device that `open` opens, or on the reference, which `openReference` opens, if it is empty. Throws
+/// as requirePossible(), render::Renderer::prepare() and Session::advance() do; FileError for films that cannot be
+/// resumed; and Error, with the code of the failure, if the device failed for good before there was a sample. A film
+/// that cannot be written is a problem in the log.
+JobResult runJob(const Job& job, const OpenDevice& open, const JobControl& control, const Log& log,
+                 const OpenDevice& openReference = reference::makeReferenceRenderer);
 
 }  // namespace candela::job

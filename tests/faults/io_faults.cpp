@@ -2,11 +2,10 @@
 //
 // CANDELA_IO_FAULT=FUNCTION:N:ERROR fails the N-th call (from 1) of a function, and FUNCTION:N+:ERROR that call and all
 // after it; ERROR is the name of an errno value, or SHORT for a write of half of the bytes. Only calls for files whose
-// path contains CANDELA_IO_PATH count. CANDELA_IO_COUNTS names a file to which the numbers of calls are appended when
-// the program ends, and CANDELA_IO_LOG one that is created when a fault is injected.
+// path contains CANDELA_IO_PATH count; `lock` is fcntl() with F_OFD_SETLK. CANDELA_IO_COUNTS names a file to which the
+// numbers of calls are appended when the program ends, and CANDELA_IO_LOG one that is created when a fault is injected.
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -22,7 +21,7 @@
 
 namespace {
 
-constexpr std::array kFunctions{"open", "write", "pwrite", "fsync", "close", "rename", "linkat", "unlink", "flock"};
+constexpr std::array kFunctions{"open", "write", "pwrite", "fsync", "close", "rename", "linkat", "unlink", "lock"};
 constexpr int kShort = -1;
 constexpr std::array<std::pair<const char*, int>, 10> kErrors{{{"ENOSPC", ENOSPC},
                                                                {"EIO", EIO},
@@ -177,9 +176,21 @@ int linkat(int fromFolder, const char* from, int toFolder, const char* to, int f
   return next<int (*)(int, const char*, int, const char*, int)>("linkat")(fromFolder, from, toFolder, to, flags);
 }
 
-int flock(int descriptor, int operation) {
-  if (isWatched(descriptor) && fails("flock")) return -1;
-  return next<int (*)(int, int)>("flock")(descriptor, operation);
+// All commands have at most one argument, which is passed on as a pointer.
+int fcntl(int descriptor, int command, ...) {
+  va_list arguments;
+  va_start(arguments, command);
+  void* const argument = va_arg(arguments, void*);
+  va_end(arguments);
+  if (command == F_OFD_SETLK && isWatched(descriptor) && fails("lock")) return -1;
+  return next<int (*)(int, int, ...)>("fcntl")(descriptor, command, argument);
+}
+int fcntl64(int descriptor, int command, ...) {
+  va_list arguments;
+  va_start(arguments, command);
+  void* const argument = va_arg(arguments, void*);
+  va_end(arguments);
+  return fcntl(descriptor, command, argument);
 }
 
 int unlink(const char* path) {

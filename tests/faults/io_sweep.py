@@ -24,7 +24,7 @@ ERRORS = {
     "rename": FULL + ["EROFS", "EACCES"],
     "linkat": FULL + ["EROFS", "EACCES"],
     "unlink": ["EROFS", "EACCES"],
-    "flock": ["ENOLCK", "EOPNOTSUPP"],
+    "lock": ["ENOLCK", "EOPNOTSUPP"],
 }
 SCENE = """v
 from 0 -4 1
@@ -41,15 +41,18 @@ s 1 -1 2 0.4
 RENDER = ["{in}/scene.p3f", "--device", "cpu", "--spp", "8", "--checkpoint", "{out}/film.exr"]
 COMMANDS = {
     "render": RENDER + ["--resume", "{out}/film.exr", "-o", "{out}/a.png", "-o", "{out}/a.exr", "--json", "{out}/a.json"],
+    "sequence": ["{in}/scene.p3f", "--device", "cpu", "--spp", "2", "--turntable", "3", "-o", "{out}/f#.png", "--checkpoint",
+                 "{out}/film#.exr"],
     "merge": ["merge", "{in}/a.exr", "{in}/b.exr", "-o", "{out}/merged.exr"],
     "film": ["film", "{in}/a.exr", "-o", "{out}/a.jpg", "-o", "{out}/a.hdr", "-o", "{out}/a.pfm"],
     "generate": ["generate", "tetra", "-o", "{out}/tetra.nff"],
     "compare": ["compare", "{in}/a.exr", "{in}/b.exr", "--report", "{out}/page.html", "--diff", "{out}/diff.png"],
 }
 # Files whose content differs from run to run; they must be complete.
-VARYING = {"a.json", "film.exr.json", "merged.exr.json", "page.html"}
-# The files that stay behind if they cannot be removed.
-REMOVED_LAST = {"unlink": {"film.exr.candela-lock", "merged.exr.candela-lock"}}
+VARYING = {"a.json", "film.exr.json", "merged.exr.json", "page.html", *(f"film{frame}.exr.json" for frame in range(3))}
+# The files that stay behind if they cannot be removed, or if the lock cannot be taken again to remove them.
+LOCKS = {f"{name}.exr.candela-lock" for name in ("film", "merged", "film#", "film0", "film1", "film2")}
+REMOVED_LAST = {"unlink": LOCKS, "lock": LOCKS}
 STEPS = 3
 
 
@@ -134,7 +137,7 @@ def faults(counts):
         for error in ERRORS[function]:
             for number in sorted(steps):
                 yield f"{function}:{number}:{error}"
-            if count and (error in FULL or function == "flock"):
+            if count and (error in FULL or function == "lock"):
                 yield f"{function}:1+:{error}"
 
 

@@ -101,6 +101,24 @@ TEST_CASE("only what differs between two jobs is prepared again, and films are t
   }
 }
 
+TEST_CASE("the reference keeps its session, too, and a failure of the device is finished by it") {
+  std::ostringstream messages;
+  const Log log(messages, Verbosity::quiet);
+  FrameRenderer alone({});
+  alone.run(frame(0, 1), {}, log);
+  const JobResult second = alone.run(frame(1, 1), {}, log);
+  CHECK(second.result.statistics.seconds.at("build") == 0);
+  CHECK(second.result.film.hash() == filmOf(frame(1, 1)).hash());
+
+  Counts counts;
+  FrameRenderer renderer(counting(counts));
+  Job job = frame(2, 1);
+  job.film.fallback = Fallback::reference;
+  counts.failures = 4;
+  CHECK(renderer.run(job, {}, log).result.film.hash() == filmOf(frame(2, 1)).hash());
+  CHECK(counts.failures == 0);
+}
+
 TEST_CASE("work that an earlier job did is not counted again") {
   Counts counts;
   FrameRenderer renderer(counting(counts));

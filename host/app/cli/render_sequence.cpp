@@ -47,11 +47,22 @@ class OnceLog final : public Log {
   mutable std::set<std::string> seen_{};
 };
 
-/// Returns the path by which the sequence is locked: that of its films, or else of its first pictures; empty if it
+/// Returns the pattern that continues the sequence: that of its films, or else of its first pictures; empty if it
 /// writes neither.
-fs::path lockedPattern(const RenderArguments& arguments) {
+fs::path resumedPattern(const RenderArguments& arguments) {
   if (!arguments.film.checkpoint.empty()) return arguments.film.checkpoint;
   return arguments.outputs.empty() ? fs::path() : arguments.outputs.front();
+}
+
+/// Locks the frames of all patterns of a sequence. Throws FileError if another process renders some of them.
+std::vector<film::FilmLock> lockFrames(const RenderArguments& arguments) {
+  const job::FrameRange frames = framesOf(arguments);
+  std::vector<fs::path> patterns = arguments.outputs;
+  if (!arguments.film.checkpoint.empty()) patterns.push_back(arguments.film.checkpoint);
+  std::vector<film::FilmLock> locks;
+  locks.reserve(patterns.size());
+  for (const fs::path& pattern : patterns) locks.emplace_back(pattern, film::LockedPart{frames.first, frames.count()});
+  return locks;
 }
 
 /// Films that exist are found before the first frame is rendered.
@@ -115,16 +126,18 @@ class Sequence {
       doneSamples_ += frameSamples_;
       frameSamples_ = 0;
     }
+    summarise();
     return ExitCode::done;
   }
 
-  void summarise() const {
+ private:
+  void summarise() {
+    line_.clear();
     std::string text = counted(frames_.count(), "frame");
     if (skippedCount_ > 0) text += fmt::format(", of which {} existed", skippedCount_);
     log_.note(fmt::format("{}, {}", text, durationText(monotonicSeconds() - start_)));
   }
 
- private:
   RenderSteps stepsOf() {
     RenderSteps steps;
     steps.isFrame = true;
@@ -146,6 +159,7 @@ class Sequence {
   }
 
   RenderJob load(const RenderArguments& one) {
+    line_.clear();  // warnings and notes may follow
     const double start = monotonicSeconds();
     if (!source_) source_.emplace(one.files.front(), one.loadOptions);
     scene::LoadedScene loaded = source_->at(one.loadOptions.time, one.loadOptions.orbit);
@@ -226,9 +240,10 @@ class Sequence {
   }
 
   ExitCode stopAt(ExitCode code) {
+    line_.clear();
     std::string text = fmt::format("the sequence ends before frame {} of {}:{} is done", frame_, frames_.first,
                                    frames_.end);
-    const fs::path& pattern = lockedPattern(arguments_);
+    const fs::path pattern = resumedPattern(arguments_);
     if (!pattern.empty()) {
       text += fmt::format("; the same command with {} continues it", settingWords("resume", pattern.string()));
     }
@@ -252,19 +267,11 @@ class Sequence {
 }  // namespace
 
 ExitCode renderSequence(const RenderArguments& arguments, const Log& log) {
-  const job::FrameRange frames = framesOf(arguments);
-  const fs::path pattern = lockedPattern(arguments);
-  for (const fs::path& output : arguments.outputs) requireWritableImage(job::frameFile(output, frames.first));
-  std::optional<film::FilmLock> lock;
-  if (!pattern.empty()) lock.emplace(pattern, film::LockedPart{frames.first, frames.count()});
+  const std::uint32_t first = framesOf(arguments).first;
+  for (const fs::path& output : arguments.outputs) requireWritableImage(job::frameFile(output, first));
+  const std::vector<film::FilmLock> locks = lockFrames(arguments);
   requireNewFilms(arguments);
-  ExitCode code = ExitCode::done;
-  {
-    Sequence sequence(arguments, log);
-    code = sequence.render();
-    if (code == ExitCode::done) sequence.summarise();
-  }
-  return code;
+  return Sequence(arguments, log).render();
 }
 
 }  // namespace candela::cli
