@@ -65,7 +65,7 @@ Bytes Buffers::buffer(const Value& reference) {
   const std::uint64_t length = buffer.require("byteLength").whole();
   const bool isChunk = index == 0 && binaryChunk_ && !buffer.find("uri");
   if (!isChunk && !buffers_.contains(index)) buffers_.emplace(index, readBuffer(buffer));
-  if (!isChunk) used_.insert(index);
+  if (!isChunk && isCounting_) used_.insert(index);
   const Bytes bytes = asBytes(isChunk ? *binaryChunk_ : std::string_view(buffers_.at(index)));
   if (length > bytes.size()) {
     buffer.require("byteLength").fail(fmt::format("{} bytes are stated, but there are only {}", length, bytes.size()));

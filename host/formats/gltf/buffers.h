@@ -41,8 +41,12 @@ class Buffers {
   /// The other files that readUri() was to read.
   const std::vector<std::filesystem::path>& files() const { return guard_.requiredPaths(); }
 
-  /// Forgets which buffers were used, but not their bytes, so that hashFiles() describes the next scene of the file.
-  void beginScene() { used_.clear(); }
+  /// Buffers that are used from here on, until endScene(), are those that hashFiles() describes. The bytes of all stay.
+  void beginScene() {
+    used_.clear();
+    isCounting_ = true;
+  }
+  void endScene() { isCounting_ = false; }
   /// The 64-bit FNV-1a hash of all buffers from other files and data URIs that were used, continued from `hash`, in the
   /// order of the buffers.
   std::uint64_t hashFiles(std::uint64_t hash) const;
@@ -59,6 +63,7 @@ class Buffers {
   scene::PathGuard guard_;
   std::map<std::size_t, std::string> buffers_;                    ///< by index; decoded or read
   std::set<std::size_t> used_{};                                  ///< indices in `buffers_`
+  bool isCounting_ = true;                                        ///< buffers become used
   std::map<std::size_t, std::vector<std::byte>> decodedViews_{};  ///< by index; EXT_meshopt_compression
 };
 

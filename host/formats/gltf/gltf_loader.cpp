@@ -12,15 +12,16 @@
 #include "host/formats/gltf/default_light.h"
 #include "host/formats/gltf/extensions.h"
 #include "host/formats/gltf/scene_assembly.h"
+#include "host/formats/loading/file_hash.h"
 #include "host/formats/loading/scene_checks.h"
 
 namespace candela::gltf {
 namespace {
 
 // Hash of everything that decides the scene: the file, its buffers and images, and the options.
-std::uint64_t hashOf(const scene::SceneFile& file, const scene::LoadOptions& options, const Buffers& buffers,
+std::uint64_t hashOf(std::uint64_t fileHash, const scene::LoadOptions& options, const Buffers& buffers,
                      const Textures& textures) {
-  std::uint64_t hash = textures.hashFiles(buffers.hashFiles(fnv1aOfText(file.bytes)));
+  std::uint64_t hash = textures.hashFiles(buffers.hashFiles(fileHash));
   if (options.camera) hash = fnv1aOfText("camera " + *options.camera, hash);
   if (options.time) hash = fnv1aOfText(fmt::format("time {}", *options.time), hash);
   if (options.animation) hash = fnv1aOfText("animation " + *options.animation, hash);
@@ -106,6 +107,7 @@ struct Reading {
     assembly.addNodes();
     assembly.dropUselessOpacity();
     log.throwIfErrors();
+    bounds = assembly.bounds();
   }
 
   scene::DiagnosticLog log;
@@ -116,6 +118,7 @@ struct Reading {
   Pose pose;
   NodeTree nodes;
   SceneAssembly assembly;
+  std::optional<Box> bounds{};  ///< SceneAssembly::bounds()
 };
 
 /// A file, and what its scenes share. A view that frames the model, the distance of a camera's target and the default
@@ -126,6 +129,7 @@ class GltfReader final : public scene::SceneReader {
   GltfReader(const scene::SceneFile& file, const scene::LoadOptions& options, bool isOften)
       : file_(file),
         options_(options),
+        fileHash_(scene::startHash(file_.bytes)),
         container_(readContainer(file_)),
         root_(container_.json, ""),
         isAnimated_(root_.sizeOf("animations") > 0),
@@ -146,7 +150,7 @@ class GltfReader final : public scene::SceneReader {
   scene::LoadedScene sceneAt(std::optional<double> time) {
     buffers_.beginScene();
     Reading reading = read(time);
-    const std::uint64_t hash = hashOf(file_, optionsAt(time), buffers_, reading.assembly.textures());
+    buffers_.endScene();
     SceneAssembly& assembly = reading.assembly;
     scene::DiagnosticLog& log = reading.log;
     if (time && !isAnimated_) log.warn("time", {}, settingWords("time") + " has no effect: the file has no animation");
@@ -156,15 +160,15 @@ class GltfReader final : public scene::SceneReader {
     if (isPosed && !rest_) rest_ = readRest();
     const View view = viewOf(reading, time);
     scene.camera = view.camera;
-    warnOfExtent(assembly.bounds(), log);
-    if (!options_.camera) warnOfSmallModel(view, assembly.bounds(), log);
-    const DefaultLight light = isPosed && rest_->light ? *rest_->light : defaultLightOf(scene, assembly.bounds());
+    warnOfExtent(reading.bounds, log);
+    if (!options_.camera) warnOfSmallModel(view, reading.bounds, log);
+    const DefaultLight light = isPosed && rest_->light ? *rest_->light : defaultLightOf(scene, reading.bounds);
     const std::string lightText = lightUp(scene, light, options_);
     warnOfShadows(scene, log);
-    setReach(assembly.bounds(), scene);
+    setReach(reading.bounds, scene);
     checkScene(scene, options_, log);
     scene.name = std::filesystem::path(file_.name).filename().string();
-    scene.hash = hash;
+    scene.hash = hashOf(fileHash_.get(), optionsAt(time), buffers_, assembly.textures());
     scene::FileFacts facts = factsOf(reading.used, view.description, lightText);
     if (assembly.hasOcclusion()) facts.emplace_back("not used", "occlusion textures (light is traced)");
     return {std::move(scene), assembly.counts(), log.warnings(), std::move(facts), buffers_.files(), end()};
@@ -181,7 +185,7 @@ class GltfReader final : public scene::SceneReader {
   }
 
   View viewOf(Reading& reading, std::optional<double> time) {
-    const std::optional<Box> bounds = reading.assembly.bounds();
+    const std::optional<Box>& bounds = reading.bounds;
     const bool isPosed = time && isAnimated_;
     const auto framed = [&] { return isPosed ? motion() : bounds; };
     const std::optional<Box>& targeted = isPosed && rest_->bounds ? rest_->bounds : bounds;
@@ -191,9 +195,8 @@ class GltfReader final : public scene::SceneReader {
   Rest readRest() {
     try {
       Reading reading = read(std::nullopt);
-      const std::optional<Box> bounds = reading.assembly.bounds();
       reading.assembly.scene().camera = viewOf(reading, std::nullopt).camera;
-      return {bounds, defaultLightOf(reading.assembly.scene(), bounds)};
+      return {reading.bounds, defaultLightOf(reading.assembly.scene(), reading.bounds)};
     } catch (const FileError&) {
       return {};
     }
@@ -202,7 +205,7 @@ class GltfReader final : public scene::SceneReader {
   /// Returns nothing for a pose with errors.
   std::optional<Box> boundsAt(double time) {
     try {
-      return read(time).assembly.bounds();
+      return read(time).bounds;
     } catch (const FileError&) {
       return std::nullopt;
     }
@@ -235,6 +238,7 @@ class GltfReader final : public scene::SceneReader {
 
   scene::SceneFile file_;
   scene::LoadOptions options_;
+  std::shared_future<std::uint64_t> fileHash_;
   Container container_;
   Value root_;
   bool isAnimated_;

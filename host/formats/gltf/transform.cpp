@@ -70,6 +70,7 @@ glm::dmat4 blend(const Influences& influences, std::size_t vertex, std::span<con
 
 /// Replaces vertex normals of length 0 by the normal of the last triangle at the vertex.
 void replaceZeroNormals(scene::Mesh& mesh) {
+  if (std::ranges::find(mesh.normals, glm::vec3(0)) == mesh.normals.end()) return;
   const std::size_t count = mesh.indices.size();
   for (std::size_t i = 0; i + 2 < count; i += 3) {
     const std::uint32_t* const corner = &mesh.indices[i];

@@ -10,6 +10,7 @@
 #include "host/base/hash.h"
 #include "host/base/setting_words.h"
 #include "host/formats/loading/diagnostic_log.h"
+#include "host/formats/loading/file_hash.h"
 #include "host/formats/loading/scene_checks.h"
 #include "host/formats/nff/keywords.h"
 #include "host/formats/nff/number.h"
@@ -54,6 +55,7 @@ std::optional<ExactMean> parseNumbers(std::string_view words) {
 /// Returns the first "# exact-mean: r g b [x y width height]" in the text of a scene. If it cannot be read, an error is
 /// added to `log`.
 std::optional<ExactMean> findExactMean(std::string_view text, DiagnosticLog& log) {
+  if (text.find(kKey) == std::string_view::npos) return std::nullopt;  // most files; the search is fast
   std::uint32_t lineNumber = 1;
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
@@ -95,8 +97,7 @@ glm::vec3 upAxisOf(const Scene& scene) {
   return {up.x < 0 ? -1 : 1, 0, 0};
 }
 
-std::uint64_t hashOf(std::string_view text, const Scene& scene) {
-  std::uint64_t hash = fnv1aOfText(text);
+std::uint64_t hashOf(std::uint64_t hash, const Scene& scene) {
   if (!scene.sky) return hash;
   for (const SkyFace& face : scene.sky->faces) {
     hash = fnv1aOfText(fmt::format("{}x{}", face.width, face.height), hash);
@@ -112,6 +113,7 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
           "this is WorldToolKit's NFF, another format of the same name; Candela reads Haines' Neutral File "
           "Format and P3F"}});
   }
+  const std::shared_future<std::uint64_t> hash = startHash(file.bytes);
   Parser parser(file.bytes, file.name, file.folder, options);
   parseStatements(parser);
   if (options.camera || options.time) {
@@ -124,7 +126,7 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
   parser.scene.up = upAxisOf(parser.scene);
   checkScene(parser.scene, options, parser.log);
   parser.scene.name = std::filesystem::path(file.name).filename().string();
-  parser.scene.hash = hashOf(file.bytes, parser.scene);
+  parser.scene.hash = hashOf(hash.get(), parser.scene);
   return {.scene = std::move(parser.scene),
           .counts = std::move(parser.counts),
           .warnings = parser.log.warnings(),

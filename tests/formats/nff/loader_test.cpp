@@ -1,6 +1,7 @@
 // The choice of a loader: by content, then by extension, else an error that names the formats.
 #include "host/formats/loading/loader.h"
 
+#include "host/base/hash.h"
 #include "host/formats/load_scene.h"
 #include "host/formats/nff/nff_loader.h"
 #include "tests/base/temporary_folder.h"
@@ -41,6 +42,15 @@ Scene sceneOfFile(const std::string& name, const std::string& text) {
 }
 
 }  // namespace
+
+TEST_CASE("the hash of a large file is that of its bytes, as that of a small one") {
+  for (const std::size_t length : {std::size_t{10}, std::size_t{3} << 20}) {
+    const std::string text = "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 8 6\n#" +
+                             std::string(length, '.') + "\ns 0 0 0 1\n";
+    INFO(length);
+    CHECK(sceneOfFile("a.nff", text).hash == fnv1aOfText(text));
+  }
+}
 
 TEST_CASE("the content of a file takes precedence over its extension") {
   CHECK(chosen("SIG:\1", "scene.txt") == "Signed");
