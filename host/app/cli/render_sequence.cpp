@@ -153,6 +153,7 @@ class Sequence {
     try {
       return renderImage(argumentsOfFrame(arguments_, frame_), steps, log_);
     } catch (const Error&) {
+      line_.clear();
       if (frame_ > frames_.first) log_.problem(fmt::format("frame {} failed", frame_));
       throw;
     }
