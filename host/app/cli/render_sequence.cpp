@@ -135,7 +135,9 @@ class Sequence {
     line_.clear();
     std::string text = counted(frames_.count(), "frame");
     if (skippedCount_ > 0) text += fmt::format(", of which {} existed", skippedCount_);
-    log_.note(fmt::format("{}, {}", text, durationText(monotonicSeconds() - start_)));
+    text += fmt::format(", {}", durationText(monotonicSeconds() - start_));
+    if (!device_.empty()) text += " on " + device_;
+    log_.note(text);
   }
 
   RenderSteps stepsOf() {
@@ -229,6 +231,7 @@ class Sequence {
   job::JobResult trace(const RenderJob& job, const job::JobControl& control) {
     job::JobResult result = renderer_.run(job, control, log_);
     compareTracers(result.header);
+    device_ = result.result.statistics.device;
     return result;
   }
 
@@ -263,6 +266,7 @@ class Sequence {
   std::uint32_t skippedCount_ = 0;
   std::uint64_t doneSamples_ = 0, frameSamples_ = 0;
   std::vector<film::Tracer> tracers_{};  ///< of the last frame
+  std::string device_;                   ///< that rendered the last frame; empty: all frames existed
 };
 
 }  // namespace

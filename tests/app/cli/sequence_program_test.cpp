@@ -140,6 +140,7 @@ TEST_CASE("frames beyond the animation hold its last pose, with a note") {
       scene, {"--frames", "0:4", "--fps", "1", "--seed", "1", "-o", folder.path("f#.png")});
   CHECK(result.exitCode == 0);
   CHECK_THAT(result.err, Contains("the animation ends at 1 s; later frames show its last pose"));
+  CHECK_THAT(result.err, Contains("4 frames, ") && Contains(" s on cpu\n"));
   CHECK(readText(folder.path("f1.png")) == readText(folder.path("f3.png")));
   CHECK(readText(folder.path("f1.png")) != readText(folder.path("f0.png")));
   const std::string still = folder.write("a.p3f", smallScene());
