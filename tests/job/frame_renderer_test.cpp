@@ -7,6 +7,7 @@
 #include "host/formats/nff/nff_loader.h"
 #include "host/trace/reference/reference_renderer.h"
 #include "host/trace/render/request.h"
+#include "tests/job/forwarding_session.h"
 
 namespace candela::job {
 namespace {
@@ -33,24 +34,17 @@ struct Counts {
   int opened = 0, prepared = 0, failures = 0;
 };
 
-class FailingSession final : public render::Session {
+class FailingSession final : public ForwardingSession {
  public:
-  FailingSession(std::unique_ptr<render::Session> inner, Counts& counts) : inner_(std::move(inner)), counts_(counts) {}
+  FailingSession(std::unique_ptr<render::Session> inner, Counts& counts)
+      : ForwardingSession(std::move(inner)), counts_(counts) {}
 
   bool advance(render::SampleRange range, const render::RenderControl& control) override {
     if (counts_.failures-- > 0) throw DeviceLostError("the made device was lost");
-    return inner_->advance(range, control);
+    return ForwardingSession::advance(range, control);
   }
-  void restrictTo(const render::PixelMask& mask) override { inner_->restrictTo(mask); }
-  image::Film film() override { return inner_->film(); }
-  void reset(std::uint32_t seed, std::uint32_t sampleCount) override { inner_->reset(seed, sampleCount); }
-  void setCamera(const scene::Camera& camera) override { inner_->setCamera(camera); }
-  void setView(const scene::Camera& camera, const render::Extent& size) override { inner_->setView(camera, size); }
-  void load(const image::Film& film, std::uint32_t first) override { inner_->load(film, first); }
-  render::RenderStatistics statistics() override { return inner_->statistics(); }
 
  private:
-  std::unique_ptr<render::Session> inner_;
   Counts& counts_;
 };
 

@@ -10,6 +10,7 @@
 #include "host/trace/reference/reference_renderer.h"
 #include "host/trace/render/request.h"
 #include "tests/base/temporary_folder.h"
+#include "tests/job/forwarding_session.h"
 
 namespace candela::job {
 namespace {
@@ -28,25 +29,18 @@ Job jobOf(std::uint32_t sampleCount, FilmPolicy film = {}) {
 }
 
 /// A session of the reference that is lost at the end of its first step if it must fail.
-class LosingSession final : public render::Session {
+class LosingSession final : public ForwardingSession {
  public:
-  LosingSession(std::unique_ptr<render::Session> inner, bool fails) : inner_(std::move(inner)), fails_(fails) {}
+  LosingSession(std::unique_ptr<render::Session> inner, bool fails)
+      : ForwardingSession(std::move(inner)), fails_(fails) {}
 
   bool advance(render::SampleRange range, const render::RenderControl& control) override {
-    if (!fails_) return inner_->advance(range, control);
-    inner_->advance({range.first, (range.first + range.end) / 2}, control);
+    if (!fails_) return ForwardingSession::advance(range, control);
+    ForwardingSession::advance({range.first, (range.first + range.end) / 2}, control);
     throw DeviceLostError("the made device was lost");
   }
-  void restrictTo(const render::PixelMask& mask) override { inner_->restrictTo(mask); }
-  image::Film film() override { return inner_->film(); }
-  void reset(std::uint32_t seed, std::uint32_t sampleCount) override { inner_->reset(seed, sampleCount); }
-  void setCamera(const scene::Camera& camera) override { inner_->setCamera(camera); }
-  void setView(const scene::Camera& camera, const render::Extent& size) override { inner_->setView(camera, size); }
-  void load(const image::Film& film, std::uint32_t first) override { inner_->load(film, first); }
-  render::RenderStatistics statistics() override { return inner_->statistics(); }
 
  private:
-  std::unique_ptr<render::Session> inner_;
   bool fails_;
 };
 
