@@ -108,7 +108,7 @@ void ViewedScene::makeScene(const view::Choice& choice, bool reads) {
   }
   requireUnread(arguments_, loaded.files);
   requireCamera(loaded.scene);
-  source_ = std::move(source);
+  source_ = loaded.animationEnd ? std::move(source) : nullptr;  // without an animation, all times are the same
   scene_ = std::make_shared<const scene::Scene>(std::move(loaded.scene));
   time_ = choice.time;
   animationEnd_ = loaded.animationEnd;

@@ -45,7 +45,7 @@ class ViewedScene {
   const ViewArguments& arguments_;
   const Log& log_;
   std::mutex mutex_;
-  std::unique_ptr<formats::SceneSource> source_;
+  std::unique_ptr<formats::SceneSource> source_;  ///< of an animated scene
   std::shared_ptr<const scene::Scene> scene_;
   std::optional<double> time_;  ///< of `scene_`
   std::optional<double> animationEnd_;
