@@ -59,12 +59,16 @@ render::RenderSettings resolveRequest(const render::RenderRequest& request, cons
   return settings;
 }
 
-scene::LoadedScene readScene(const Arguments& command, const Log& log) {
-  const auto& arguments = partOf<SceneArguments>(command);
-  scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
+void acceptScene(const scene::LoadedScene& loaded, const Arguments& command, const Log& log) {
   for (const scene::Diagnostic& warning : loaded.warnings) log.warning(toString(warning));
   requireUnread(command, loaded.files);
   requireCamera(loaded.scene);
+}
+
+scene::LoadedScene readScene(const Arguments& command, const Log& log) {
+  const auto& arguments = partOf<SceneArguments>(command);
+  scene::LoadedScene loaded = formats::loadScene(arguments.files.front(), arguments.loadOptions);
+  acceptScene(loaded, command, log);
   return loaded;
 }
 

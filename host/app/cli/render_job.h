@@ -19,6 +19,10 @@ struct RenderJob : job::Job {
   double parseSeconds = 0;
 };
 
+/// Logs the warnings about a scene that a command has read. Throws SceneError if it has no view, and UsageError as
+/// requireUnread() does.
+void acceptScene(const scene::LoadedScene& loaded, const Arguments& command, const Log& log);
+
 /// Reads the first of the files of a command that reads scenes. It must have a view. Warnings about the file go to the
 /// log. Throws SceneError and FileError, and UsageError as requireUnread() does.
 scene::LoadedScene readScene(const Arguments& command, const Log& log);

@@ -11,7 +11,6 @@
 #include "host/app/cli/frame_arguments.h"
 #include "host/app/cli/output_check.h"
 #include "host/app/cli/render_images.h"
-#include "host/app/cli/separate_files.h"
 #include "host/base/counted.h"
 #include "host/base/interrupt.h"
 #include "host/base/progress.h"
@@ -166,9 +165,7 @@ class Sequence {
     const double start = monotonicSeconds();
     if (!source_) source_.emplace(one.files.front(), one.loadOptions);
     scene::LoadedScene loaded = source_->at(one.loadOptions.time, one.loadOptions.orbit);
-    for (const scene::Diagnostic& warning : loaded.warnings) log_.warning(toString(warning));
-    requireUnread(one, loaded.files);
-    requireCamera(loaded.scene);
+    acceptScene(loaded, one, log_);
     noteEnd(loaded.animationEnd);
     const double seconds = monotonicSeconds() - start;
     RenderJob job = jobOf(one, std::make_shared<const scene::Scene>(std::move(loaded.scene)), log_);
