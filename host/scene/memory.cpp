@@ -1,7 +1,6 @@
 // Computes the memory of a scene from the sizes of its arrays.
 #include "host/scene/memory.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace candela::scene {
@@ -18,8 +17,11 @@ std::uint64_t bytesOf(const Mesh& mesh) {
 }
 
 std::uint64_t countTriangles(const Scene& scene) {
-  return static_cast<std::uint64_t>(
-      std::ranges::count(scene.primitives, PrimitiveKind::triangle, [](const Primitive& p) { return p.kind; }));
+  std::uint64_t count = 0;
+  for (const PrimitiveRun& run : scene.primitives.runs()) {
+    if (run.start.kind == PrimitiveKind::triangle) count += scene.primitives.countOf(run);
+  }
+  return count;
 }
 
 }  // namespace
@@ -33,10 +35,10 @@ SceneMemory memoryOf(const Scene& scene) {
   SceneMemory memory;
   memory.triangleCount = countTriangles(scene);
   for (const Mesh& mesh : scene.meshes) memory.triangles += bytesOf(mesh);
-  memory.total = memory.triangles + bytesOf(scene.materials, scene.primitives, scene.spheres, scene.boxes, scene.cones,
-                                            scene.planes, scene.pointLights, scene.punctualLights, scene.objectStarts,
-                                            scene.objectNames, scene.materialNames);
-  memory.triangles += memory.triangleCount * sizeof(Primitive);
+  memory.triangles += bytesOf(scene.placements);
+  memory.total = memory.triangles + scene.primitives.runs().size_bytes() +
+                 bytesOf(scene.materials, scene.spheres, scene.boxes, scene.cones, scene.planes, scene.pointLights,
+                         scene.punctualLights, scene.objectStarts, scene.objectNames, scene.materialNames);
   for (const TextureImage& image : scene.images) {
     memory.textures += sizeof(TextureImage) + bytesOf(image.texels, image.deepTexels);
     memory.deepTextures += bytesOf(image.deepTexels);

@@ -26,7 +26,7 @@ struct Triangle {
   glm::vec3 p[3];
 };
 
-/// The unit normals at one triangle's vertices.
+/// The normals at one triangle's vertices.
 struct VertexNormals {
   glm::vec3 n[3];
 };

@@ -8,11 +8,11 @@ namespace {
 
 /// The binding names every member of a scene, so that a new one is not forgotten: it does not compile without it.
 auto contentOf(const Scene& scene) {
-  const auto& [name, camera, background, sky, environment, up, materials, images, primitives, spheres, meshes, boxes,
-               cones, planes, objectStarts, objectNames, materialNames, pointLights, punctualLights, requestedAccel,
-               requestedSamples, exactMean, hash] = scene;
-  return std::tie(background, sky, environment, up, materials, images, primitives, spheres, meshes, boxes, cones,
-                  planes, objectStarts, objectNames, materialNames, pointLights, punctualLights, requestedAccel,
+  const auto& [name, camera, background, sky, environment, up, materials, images, primitives, spheres, meshes,
+               placements, boxes, cones, planes, objectStarts, objectNames, materialNames, pointLights, punctualLights,
+               requestedAccel, requestedSamples, exactMean, hash] = scene;
+  return std::tie(background, sky, environment, up, materials, images, primitives, spheres, meshes, placements, boxes,
+                  cones, planes, objectStarts, objectNames, materialNames, pointLights, punctualLights, requestedAccel,
                   requestedSamples, exactMean);
 }
 

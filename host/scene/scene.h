@@ -11,7 +11,8 @@
 #include "host/scene/environment.h"
 #include "host/scene/material.h"
 #include "host/scene/mesh.h"
-#include "lists/primitive_kinds.h"
+#include "host/scene/placement.h"
+#include "host/scene/primitive_list.h"
 
 namespace candela::scene {
 
@@ -70,32 +71,6 @@ struct Plane {
 
   bool operator==(const Plane&) const = default;
 };
-
-/// sphere, triangle, box, cone, plane: the entries of CANDELA_PRIMITIVE_KINDS, with their values.
-enum class PrimitiveKind : std::uint8_t {
-#define CANDELA_ENUMERATE_KIND(kind, feature, name, value, flag) kind = value,
-  CANDELA_PRIMITIVE_KINDS(CANDELA_ENUMERATE_KIND)
-#undef CANDELA_ENUMERATE_KIND
-};
-
-/// One entry of the scene's list of primitives. Its position in Scene::primitives is the *primitive index* that both
-/// tracers report and that breaks ties between equal distances. Polygons, patches and emitting boxes are stored as
-/// triangles.
-struct Primitive {
-  static constexpr std::uint32_t kMaxMeshes = 1u << 24;
-
-  PrimitiveKind kind;
-  std::uint32_t mesh : 24;  ///< of a triangle: into Scene::meshes; 0 otherwise
-  std::uint32_t index;      ///< of a triangle: its index in its mesh; otherwise into the vector of the kind
-  std::uint32_t material;   ///< into Scene::materials
-
-  Primitive(PrimitiveKind primitiveKind, std::uint32_t shapeIndex, std::uint32_t materialIndex,
-            std::uint32_t meshIndex = 0)
-      : kind(primitiveKind), mesh(meshIndex & (kMaxMeshes - 1)), index(shapeIndex), material(materialIndex) {}
-
-  bool operator==(const Primitive&) const = default;
-};
-static_assert(sizeof(Primitive) == 12);
 
 /// `l`: a point light without fall-off, see docs/light-transport.md.
 struct PointLight {
@@ -158,9 +133,12 @@ struct Scene {
 
   std::vector<Material> materials;
   std::vector<TextureImage> images;
-  std::vector<Primitive> primitives;
+  PrimitiveList primitives;
   std::vector<Sphere> spheres;
   std::vector<Mesh> meshes;  ///< at most Primitive::kMaxMeshes
+  /// Placements of instances. The mesh of an instance that is mirrored has triangles and tangents of the other
+  /// orientation, so that fronts stay fronts.
+  std::vector<Placement> placements;
   std::vector<Box> boxes;
   std::vector<Cone> cones;
   std::vector<Plane> planes;
@@ -185,7 +163,9 @@ inline const Mesh& meshOf(const Scene& scene, const Primitive& triangle) { retur
 inline Triangle triangleOf(const Scene& scene, const Primitive& triangle) {
   const Mesh& mesh = meshOf(scene, triangle);
   const auto [p0, p1, p2] = attributeOf(mesh, mesh.positions, triangle.index);
-  return {{p0, p1, p2}};
+  if (!triangle.isPlaced()) return {{p0, p1, p2}};
+  const Placement& placement = scene.placements[triangle.placement];
+  return {{placedPoint(placement, p0), placedPoint(placement, p1), placedPoint(placement, p2)}};
 }
 
 /// Returns whether the primitive is a triangle whose vertices have normals.
@@ -208,11 +188,23 @@ inline const std::vector<glm::vec4>* coloursOfEmission(const Scene& scene, const
   return colours.empty() ? nullptr : &colours;
 }
 
-/// Returns the vertex normals of a primitive for which isSmooth is true.
+/// Returns the vertex normals of a primitive for which isSmooth is true. Those of an instance have any length.
 inline VertexNormals vertexNormalsOf(const Scene& scene, const Primitive& triangle) {
   const Mesh& mesh = meshOf(scene, triangle);
   const auto [n0, n1, n2] = attributeOf(mesh, mesh.normals, triangle.index);
-  return {{n0, n1, n2}};
+  if (!triangle.isPlaced()) return {{n0, n1, n2}};
+  const Placement& placement = scene.placements[triangle.placement];
+  return {{placedNormal(placement, n0), placedNormal(placement, n1), placedNormal(placement, n2)}};
+}
+
+/// Returns the tangents at the vertices of a primitive that is a triangle of a mesh with tangents: a vector, which has
+/// unit length unless the triangle belongs to an instance, and the handedness, see Mesh.
+inline std::array<glm::vec4, 3> vertexTangentsOf(const Scene& scene, const Primitive& triangle) {
+  const Mesh& mesh = meshOf(scene, triangle);
+  std::array<glm::vec4, 3> tangents = attributeOf(mesh, mesh.tangents, triangle.index);
+  if (!triangle.isPlaced()) return tangents;
+  for (glm::vec4& tangent : tangents) tangent = placedTangent(scene.placements[triangle.placement], tangent);
+  return tangents;
 }
 
 }  // namespace candela::scene

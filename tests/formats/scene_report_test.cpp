@@ -57,15 +57,15 @@ TEST_CASE("bounds contain everything but infinite planes, and are exact for cone
   CHECK_FALSE(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")).bounds);
 }
 
-TEST_CASE("the memory of a scene is that of its arrays, and per triangle that of meshes and primitives") {
+TEST_CASE("the memory of a scene is that of its arrays, and per triangle that of meshes") {
   const Scene scene = sceneOf("f 1 1 1 1 0 1 0 1\np 4 0 0 0 4 0 0 4 4 0 0 4 0\ns 0 0 0 1\nl 1 1 1\n");
   const SceneMemory memory = memoryOf(scene);
   CHECK(memory.triangleCount == 2);
-  CHECK(memory.triangles == sizeof(Mesh) + 2 * (3 * 12 + 12));
+  CHECK(memory.triangles == sizeof(Mesh) + 2 * 3 * 12);
   const std::size_t objects = 2 * sizeof(std::uint32_t);  // the starts of the polygon and of the sphere
   CHECK(memory.total ==
-        memory.triangles + sizeof(Material) + sizeof(Sphere) + sizeof(Primitive) + sizeof(PointLight) + objects);
-  CHECK(memory.bytesPerTriangle() == sizeof(Mesh) / 2. + 48);
+        memory.triangles + sizeof(Material) + sizeof(Sphere) + 2 * sizeof(PrimitiveRun) + sizeof(PointLight) + objects);
+  CHECK(memory.bytesPerTriangle() == sizeof(Mesh) / 2. + 36);
   CHECK_FALSE(memoryOf(sceneOf("s 0 0 0 1\n")).bytesPerTriangle());
 }
 

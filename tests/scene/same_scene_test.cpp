@@ -12,7 +12,7 @@ Scene smallScene() {
   scene.camera.emplace();
   scene.materials.resize(1);
   scene.spheres.push_back({{0, 0, 0}, 1});
-  scene.primitives.emplace_back(PrimitiveKind::sphere, 0, 0);
+  scene.primitives.push_back({PrimitiveKind::sphere, 0, 0});
   scene.meshes.push_back({.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   scene.images.push_back({"image", 1, 1, {7}});
   scene.pointLights.push_back({{0, 9, 0}});
@@ -42,7 +42,9 @@ TEST_CASE("a change of anything else is a difference") {
       },
       [](Scene& scene) { scene.materials[0].emission.z = 1; },
       [](Scene& scene) { scene.images[0].texels[0] = 8; },
-      [](Scene& scene) { scene.primitives[0].material = 1; },
+      [](Scene& scene) {
+        scene.primitives = {{PrimitiveKind::sphere, 0, 1}};
+      },
       [](Scene& scene) { scene.spheres[0].radius = 2; },
       [](Scene& scene) { scene.meshes[0].positions[2].y = 2; },
       [](Scene& scene) { scene.meshes[0].colours.resize(3); },

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 #include <vector>
@@ -143,11 +144,18 @@ void addTangents(Geometry& geometry, const scene::TextureReference& texture) {
 constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // acceleration structures index no more
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
-  constexpr std::uint64_t kPrimitive = sizeof(scene::Primitive);
   return sizeof(scene::Mesh) + mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +
          (mesh.texCoords[0].size() + mesh.texCoords[1].size()) * sizeof(glm::vec2) +
-         (mesh.tangents.size() + mesh.colours.size()) * sizeof(glm::vec4) +
-         mesh.indices.size() * sizeof(std::uint32_t) + scene::triangleCount(mesh) * kPrimitive;
+         (mesh.tangents.size() + mesh.colours.size()) * sizeof(glm::vec4) + mesh.indices.size() * sizeof(std::uint32_t);
+}
+
+// Throws JsonError if a vertex could be placed beyond the range of binary32. `reach`: largest magnitudes of
+// coordinates.
+void requireFinite(const glm::dvec3& reach, const scene::Placement& placement, const Value& source) {
+  for (const glm::vec4& row : placement.points) {
+    if (glm::dot(glm::abs(glm::dvec4(row)), glm::dvec4(reach, 1)) < double{std::numeric_limits<float>::max()}) continue;
+    source.fail("a vertex is placed beyond the range of single precision");
+  }
 }
 
 float minAlphaOf(const scene::TextureImage& image) {
@@ -224,6 +232,7 @@ void SceneAssembly::addMaterials() {
 }
 
 void SceneAssembly::addNodes() {
+  countUses();
   for (const std::size_t index : nodes_.visible()) {
     attempt([&] { addNode(index); });
   }
@@ -282,6 +291,23 @@ std::uint32_t SceneAssembly::materialOf(const Value& primitive) {
   return static_cast<std::uint32_t>(defaultMaterial_ - 1);
 }
 
+std::optional<scene::Mesh> SceneAssembly::readMesh(const Value& primitive, std::span<const double> weights,
+                                                   std::uint32_t material, Influences* influences) {
+  std::optional<Geometry> geometry = readGeometry(primitive, {weights, influences != nullptr, byteCount_}, accessors_,
+                                                  buffers_);
+  if (!geometry) {
+    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
+    return std::nullopt;
+  }
+  for (const std::string& pointer : geometry->surplusTargets) {
+    log_.warn("targets", {}, pointer + " is left out: the primitive has no such attribute that the target could move");
+  }
+  const auto& tangentTexture = tangentTextureOf(scene_.materials[material]);
+  if (tangentTexture && geometry->mesh.tangents.empty()) addTangents(*geometry, *tangentTexture);
+  if (influences) *influences = std::move(geometry->influences);
+  return std::move(geometry->mesh);
+}
+
 void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive) {
   if (topologyOf(primitive) == Topology::pointsOrLines) {
     log_.warn("points", {}, primitive.pointer() + ": points and lines are not rendered");
@@ -289,40 +315,102 @@ void SceneAssembly::addPrimitive(const Value& node, std::size_t index, const Val
   }
   const std::optional<Value> skin = node.find("skin");
   const std::vector<double> weights = morphWeights(node, index, mesh);
-  std::optional<Geometry> geometry = readGeometry(primitive, {weights, skin.has_value(), byteCount_}, accessors_,
-                                                  buffers_);
-  if (!geometry) {
-    log_.warn("positions", {}, primitive.pointer() + ": a primitive without positions is not rendered");
-    return;
+  if (!skin) {
+    SharedMesh& shared = shared_[keyOf(primitive, weights)];
+    if (shared.uses > 1) {
+      addInstances(node, index, primitive, weights, shared);
+      return;
+    }
   }
-  for (const std::string& pointer : geometry->surplusTargets) {
-    log_.warn("targets", {}, pointer + " is left out: the primitive has no such attribute that the target could move");
-  }
-  ++counts_["primitive"];
   const std::uint32_t material = materialOf(primitive);
-  noteAlpha(geometry->mesh, material);
-  const auto& tangentTexture = tangentTextureOf(scene_.materials[material]);
-  if (tangentTexture && geometry->mesh.tangents.empty()) addTangents(*geometry, *tangentTexture);
-  if (skin && !geometry->influences.joints.empty()) {
+  Influences influences;
+  std::optional<scene::Mesh> own = readMesh(primitive, weights, material, skin ? &influences : nullptr);
+  if (!own) return;
+  ++counts_["primitive"];
+  noteAlpha(minAlphaOf(*own), material);
+  if (skin && !influences.joints.empty()) {
     const Value joints = root_.require("skins")[skin->indexInto("skins", root_.sizeOf("skins"))];
-    placeSkinned(*geometry, jointMatrices(joints, nodes_, root_.sizeOf("nodes"), accessors_), primitive);
-    requireRoom(primitive, geometry->mesh, 1);
-    scene::addMesh(scene_, std::move(geometry->mesh), material);
+    placeSkinned(*own, influences, jointMatrices(joints, nodes_, root_.sizeOf("nodes"), accessors_), primitive);
+    requireRoom(primitive, scene::triangleCount(*own), bytesOf(*own));
+    scene::addMesh(scene_, std::move(*own), material);
     return;
   }
   const std::vector<glm::dmat4> instances = instancesOf(node);
-  requireRoom(node, geometry->mesh, instances.size());
-  for (std::size_t i = 0; i < instances.size(); ++i) {
-    const bool isLast = i + 1 == instances.size();
-    scene::Mesh placed = isLast ? std::move(geometry->mesh) : geometry->mesh;
-    place(placed, nodes_.world(index) * instances[i], node);
-    scene::addMesh(scene_, std::move(placed), material);
+  if (!instances.empty()) addPlaced(std::move(*own), nodes_.world(index) * instances.front(), material, node);
+}
+
+void SceneAssembly::addPlaced(scene::Mesh mesh, const glm::dmat4& map, std::uint32_t material, const Value& source) {
+  requireRoom(source, scene::triangleCount(mesh), bytesOf(mesh));
+  place(mesh, map, source);
+  scene::addMesh(scene_, std::move(mesh), material);
+}
+
+void SceneAssembly::addInstances(const Value& node, std::size_t index, const Value& primitive,
+                                 std::span<const double> weights, SharedMesh& shared) {
+  const std::uint32_t material = materialOf(primitive);
+  if (!std::exchange(shared.isRead, true)) {
+    std::optional<scene::Mesh> mesh = readMesh(primitive, weights, material);
+    if (mesh) {
+      place(*mesh, glm::dmat4(1), primitive);
+      shared.minAlpha = minAlphaOf(*mesh);
+      shared.reach = reachOf(*mesh);
+      shared.mesh = storeShared(primitive, std::move(*mesh));
+    }
+  }
+  if (!shared.mesh) return;
+  ++counts_["primitive"];
+  noteAlpha(shared.minAlpha, material);
+  for (const glm::dmat4& instance : instancesOf(node)) {
+    const glm::dmat4 map = nodes_.world(index) * instance;
+    const std::optional<scene::Placement> placement = scene::placementOf(map);
+    if (!placement) {
+      addPlaced(scene_.meshes[*shared.mesh], map, material, node);
+      continue;
+    }
+    const bool isMirrored = scene::mirrors(map);
+    if (isMirrored && !shared.mirrored) {
+      shared.mirrored = storeShared(primitive, mirroredMesh(scene_.meshes[*shared.mesh]));
+    }
+    const std::uint32_t mesh = isMirrored ? *shared.mirrored : *shared.mesh;
+    requireRoom(node, scene::triangleCount(scene_.meshes[mesh]),
+                sizeof(scene::Placement) + sizeof(scene::PrimitiveRun));
+    requireFinite(shared.reach, *placement, node);
+    scene::addInstance(scene_, mesh, *placement, material);
   }
 }
 
-void SceneAssembly::noteAlpha(const scene::Mesh& mesh, std::uint32_t material) {
-  float minAlpha = 1;
-  for (const glm::vec4& colour : mesh.colours) minAlpha = std::min(minAlpha, colour.w);
+std::uint32_t SceneAssembly::storeShared(const Value& source, scene::Mesh mesh) {
+  requireRoom(source, 0, bytesOf(mesh));
+  return scene::storeMesh(scene_, std::move(mesh));
+}
+
+std::string SceneAssembly::keyOf(const Value& primitive, std::span<const double> weights) const {
+  const std::optional<Value> material = primitive.find("material");
+  std::optional<scene::TextureReference> tangentTexture;
+  if (material) {
+    tangentTexture = tangentTextureOf(scene_.materials[material->indexInto("materials", root_.sizeOf("materials"))]);
+  }
+  return geometryKey(primitive, weights, tangentTexture);
+}
+
+void SceneAssembly::countUses() {
+  for (const std::size_t index : nodes_.visible()) {
+    try {
+      const Value node = root_.require("nodes")[index];
+      if (nodes_.isHidden(index) || node.find("skin") || !node.find("mesh")) continue;
+      const std::optional<Value> extension = extensionOf(node, "EXT_mesh_gpu_instancing");
+      const std::size_t uses = extension ? instanceCount(extension->require("attributes"), accessors_) : 1;
+      const Value mesh = meshOf(node);
+      const Value primitives = mesh.require("primitives");
+      const std::vector<double> weights = morphWeights(node, index, mesh);
+      for (std::size_t i = 0; i < primitives.size(); ++i) shared_[keyOf(primitives[i], weights)].uses += uses;
+    } catch (const JsonError&) {  // addNode() reports it
+      continue;
+    }
+  }
+}
+
+void SceneAssembly::noteAlpha(float minAlpha, std::uint32_t material) {
   const auto [known, isNew] = minAlpha_.emplace(material, minAlpha);
   known->second = std::min(known->second, minAlpha);
 }
@@ -338,18 +426,16 @@ void SceneAssembly::dropUselessOpacity() {
   }
 }
 
-void SceneAssembly::requireRoom(const Value& source, const scene::Mesh& mesh, std::size_t copies) {
-  const std::uint64_t triangles = scene::triangleCount(mesh);
-  const std::uint64_t bytes = bytesOf(mesh);
-  if (triangles > 0 && copies > (kMaxTriangles - triangleCount_) / triangles) {
+void SceneAssembly::requireRoom(const Value& source, std::uint64_t triangles, std::uint64_t bytes) {
+  if (triangles > kMaxTriangles - triangleCount_) {
     source.fail(fmt::format("the scene has more than {} triangles", kMaxTriangles));
   }
-  if (copies > (memoryBudget() - byteCount_) / bytes) {
+  if (bytes > memoryBudget() - byteCount_) {
     throw OutOfMemoryError(fmt::format("{}: the scene needs more than the {} MiB of memory that it may have",
                                        source.pointer(), memoryBudget() >> 20));
   }
-  triangleCount_ += triangles * copies;
-  byteCount_ += bytes * copies;
+  triangleCount_ += triangles;
+  byteCount_ += bytes;
 }
 
 std::vector<glm::dmat4> SceneAssembly::instancesOf(const Value& node) {
@@ -397,13 +483,18 @@ void SceneAssembly::reportOmissions() {
 
 std::optional<Box> SceneAssembly::bounds() const {
   std::optional<Box> box;
-  for (const scene::Mesh& mesh : scene_.meshes) {
-    if (mesh.indices.empty()) continue;
-    glm::vec3 low = mesh.positions[mesh.indices.front()];
+  for (const scene::PrimitiveRun& run : scene_.primitives.runs()) {
+    const scene::Mesh& mesh = scene_.meshes[run.start.mesh];
+    const auto placed = [&](std::uint32_t vertex) {
+      const glm::vec3& point = mesh.positions[vertex];
+      return run.start.isPlaced() ? placedPoint(scene_.placements[run.start.placement], point) : point;
+    };
+    glm::vec3 low = placed(mesh.indices.front());
     glm::vec3 high = low;
     for (const std::uint32_t index : mesh.indices) {
-      low = glm::min(low, mesh.positions[index]);
-      high = glm::max(high, mesh.positions[index]);
+      const glm::vec3 point = placed(index);
+      low = glm::min(low, point);
+      high = glm::max(high, point);
     }
     const Box own{glm::dvec3(low), glm::dvec3(high)};
     box = box ? Box{glm::min(box->min, own.min), glm::max(box->max, own.max)} : own;

@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "host/formats/gltf/cameras.h"
 #include "host/formats/gltf/geometry.h"
 #include "host/formats/gltf/nodes.h"
+#include "host/formats/gltf/shared_mesh.h"
 #include "host/formats/gltf/textures.h"
 #include "host/formats/loading/diagnostic_log.h"
 #include "host/formats/loading/load.h"
@@ -45,14 +47,27 @@ class SceneAssembly {
   void addObject(const Value& node, std::size_t index, std::size_t first);
   void addMesh(const Value& node, std::size_t index);
   void addPrimitive(const Value& node, std::size_t index, const Value& mesh, const Value& primitive);
+  /// Adds a mesh that nothing else shows, where a map places it.
+  void addPlaced(scene::Mesh mesh, const glm::dmat4& map, std::uint32_t material, const Value& source);
+  /// Adds the instances at a node of a primitive that is shown more than once.
+  void addInstances(const Value& node, std::size_t index, const Value& primitive, std::span<const double> weights,
+                    SharedMesh& shared);
+  std::uint32_t storeShared(const Value& source, scene::Mesh mesh);
+  /// Reads the triangles of a primitive, with tangents if its material needs them; nothing if it has no positions.
+  /// `influences`: of a primitive that is skinned, those of its vertices.
+  std::optional<scene::Mesh> readMesh(const Value& primitive, std::span<const double> weights, std::uint32_t material,
+                                      Influences* influences = nullptr);
+  std::string keyOf(const Value& primitive, std::span<const double> weights) const;
+  /// Counts how often each primitive is shown.
+  void countUses();
   void addLight(const Value& node, std::size_t index);
-  /// Counts copies of a mesh before they are made, and throws JsonError or OutOfMemoryError if there are too many.
-  void requireRoom(const Value& source, const scene::Mesh& mesh, std::size_t copies);
+  /// Counts triangles and memory before they are added, and throws JsonError or OutOfMemoryError if there are too many.
+  void requireRoom(const Value& source, std::uint64_t triangles, std::uint64_t bytes);
   /// One transform relative to the node for each instance; only the identity without EXT_mesh_gpu_instancing.
   std::vector<glm::dmat4> instancesOf(const Value& node);
   std::vector<double> morphWeights(const Value& node, std::size_t index, const Value& mesh) const;
   std::uint32_t materialOf(const Value& primitive);
-  void noteAlpha(const scene::Mesh& mesh, std::uint32_t material);
+  void noteAlpha(float minAlpha, std::uint32_t material);
   /// Runs an action; an error becomes an entry of the log.
   template <class Action>
   void attempt(const Action& action);
@@ -68,8 +83,9 @@ class SceneAssembly {
   scene::StatementCounts counts_{};
   std::set<std::string> unread_{};  ///< names of features of materials and meshes that are not rendered
   bool hasOcclusion_ = false;
-  std::map<std::uint32_t, float> minAlpha_{};  ///< of the vertex colours, by material
-  std::size_t defaultMaterial_ = 0;            ///< its index, once it exists
+  std::map<std::string, SharedMesh> shared_{};  ///< by geometryKey()
+  std::map<std::uint32_t, float> minAlpha_{};   ///< of the vertex colours, by material
+  std::size_t defaultMaterial_ = 0;             ///< its index, once it exists
   std::size_t triangleCount_ = 0;
   std::uint64_t byteCount_ = 0;
 };

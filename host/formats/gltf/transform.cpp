@@ -98,11 +98,11 @@ void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& source) 
   if (!mesh.normals.empty()) replaceZeroNormals(mesh);
 }
 
-void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& source) {
-  scene::Mesh& mesh = geometry.mesh;
+void placeSkinned(scene::Mesh& mesh, const Influences& influences, std::span<const glm::dmat4> joints,
+                  const Value& source) {
   std::vector<bool> mirrors(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const VertexTransform transform(blend(geometry.influences, i, joints, source));
+    const VertexTransform transform(blend(influences, i, joints, source));
     placeVertex(mesh, i, transform, source);
     mirrors[i] = transform.mirrors;
   }

@@ -14,6 +14,7 @@ void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& source);
 
 /// The same with a transform for each vertex: the mean of its joints' matrices by weight, as in section 3.7.3 of
 /// the specification. Weights that do not sum to 1 are scaled.
-void placeSkinned(Geometry& geometry, std::span<const glm::dmat4> joints, const Value& source);
+void placeSkinned(scene::Mesh& mesh, const Influences& influences, std::span<const glm::dmat4> joints,
+                  const Value& source);
 
 }  // namespace candela::gltf

@@ -18,13 +18,6 @@ void add(Scene& scene, std::vector<Shape>& shapes, const Shape& shape, Primitive
   shapes.push_back(shape);
 }
 
-void appendMesh(Scene& scene, Mesh mesh) {
-  if (scene.meshes.size() >= Primitive::kMaxMeshes) {
-    throw FileError(fmt::format("the scene has more than {} meshes", Primitive::kMaxMeshes));
-  }
-  scene.meshes.push_back(std::move(mesh));
-}
-
 /// Returns the index of the first mesh with or without indices and normals, and with no other attribute than positions.
 std::uint32_t findOrAddMesh(Scene& scene, bool hasIndices, bool hasNormals) {
   const auto fits = [&](const Mesh& mesh) {
@@ -34,23 +27,15 @@ std::uint32_t findOrAddMesh(Scene& scene, bool hasIndices, bool hasNormals) {
   };
   const auto found = std::ranges::find_if(scene.meshes, fits);
   const auto index = static_cast<std::uint32_t>(found - scene.meshes.begin());
-  if (found == scene.meshes.end()) appendMesh(scene, {});
+  if (found == scene.meshes.end()) storeMesh(scene, {});
   return index;
-}
-
-/// Makes room for `count` more primitives. The capacity at least doubles, so that many small steps stay cheap.
-void reserveMore(std::vector<Primitive>& primitives, std::size_t count) {
-  const std::size_t needed = primitives.size() + count;
-  if (needed > primitives.capacity()) primitives.reserve(std::max(needed, 2 * primitives.capacity()));
 }
 
 /// Adds a primitive for each triangle of a mesh from `first` on.
 void addTrianglesOf(Scene& scene, std::uint32_t mesh, std::size_t first, std::uint32_t material) {
-  const std::size_t end = triangleCount(scene.meshes[mesh]);
-  reserveMore(scene.primitives, end - first);
-  for (std::size_t i = first; i < end; ++i) {
-    scene.primitives.emplace_back(PrimitiveKind::triangle, static_cast<std::uint32_t>(i), material, mesh);
-  }
+  const std::size_t count = triangleCount(scene.meshes[mesh]) - first;
+  scene.primitives.append({PrimitiveKind::triangle, static_cast<std::uint32_t>(first), material, mesh},
+                          static_cast<std::uint32_t>(count));
 }
 
 void addQuad(Scene& scene, const glm::vec3 (&corner)[4], std::uint32_t material) {
@@ -102,8 +87,23 @@ void addPlane(Scene& scene, const Plane& plane, std::uint32_t material) {
 
 void addMesh(Scene& scene, Mesh mesh, std::uint32_t material) {
   if (triangleCount(mesh) == 0) return;
-  appendMesh(scene, std::move(mesh));
-  addTrianglesOf(scene, static_cast<std::uint32_t>(scene.meshes.size() - 1), 0, material);
+  addTrianglesOf(scene, storeMesh(scene, std::move(mesh)), 0, material);
+}
+
+std::uint32_t storeMesh(Scene& scene, Mesh mesh) {
+  if (scene.meshes.size() >= Primitive::kMaxMeshes) {
+    throw FileError(fmt::format("the scene has more than {} meshes", Primitive::kMaxMeshes));
+  }
+  scene.meshes.push_back(std::move(mesh));
+  return static_cast<std::uint32_t>(scene.meshes.size() - 1);
+}
+
+void addInstance(Scene& scene, std::uint32_t mesh, const Placement& placement, std::uint32_t material) {
+  const auto count = static_cast<std::uint32_t>(triangleCount(scene.meshes[mesh]));
+  if (count == 0) return;
+  const auto index = static_cast<std::uint32_t>(scene.placements.size());
+  scene.placements.push_back(placement);
+  scene.primitives.append({PrimitiveKind::triangle, 0, material, mesh, index}, count);
 }
 
 void addIndexedTriangles(Scene& scene, std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,

@@ -21,6 +21,12 @@ void addPlane(Scene& scene, const Plane& plane, std::uint32_t material);
 /// Throws FileError beyond Primitive::kMaxMeshes meshes.
 void addMesh(Scene& scene, Mesh mesh, std::uint32_t material);
 
+/// Adds a mesh without any primitive, and returns its index. Throws FileError like addMesh().
+std::uint32_t storeMesh(Scene& scene, Mesh mesh);
+
+/// Appends the triangles of an instance of a mesh of the scene, each as one primitive, with their placement.
+void addInstance(Scene& scene, std::uint32_t mesh, const Placement& placement, std::uint32_t material);
+
 /// Appends triangles over vertices that they share: three indices into `positions` each. All such triangles share one
 /// mesh, so that many small meshes take no more memory than a large one.
 void addIndexedTriangles(Scene& scene, std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices,

@@ -25,10 +25,8 @@ void appendTexCoords(const scene::Mesh& mesh, std::uint32_t triangle, Rows& rows
   }
 }
 
-// Appends the values of an attribute at the three vertices.
-void appendVectors(const scene::Mesh& mesh, const std::vector<glm::vec4>& attribute, std::uint32_t triangle,
-                   Rows& rows) {
-  for (const glm::vec4& value : attributeOf(mesh, attribute, triangle)) {
+void appendVectors(const std::array<glm::vec4, 3>& values, Rows& rows) {
+  for (const glm::vec4& value : values) {
     rows.push_back(row(glm::dvec3(value), double{value.w}));
   }
 }
@@ -62,8 +60,8 @@ void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context
   }
   const scene::Mesh& mesh = meshOf(scene, triangle);
   if (flags & gpu::kFlagTexCoords) appendTexCoords(mesh, triangle.index, rows);
-  if (flags & gpu::kFlagColours) appendVectors(mesh, mesh.colours, triangle.index, rows);
-  if (flags & gpu::kFlagTangents) appendVectors(mesh, mesh.tangents, triangle.index, rows);
+  if (flags & gpu::kFlagColours) appendVectors(attributeOf(mesh, mesh.colours, triangle.index), rows);
+  if (flags & gpu::kFlagTangents) appendVectors(vertexTangentsOf(scene, triangle), rows);
 }
 
 }  // namespace candela::flatten

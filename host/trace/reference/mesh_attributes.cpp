@@ -31,7 +31,7 @@ MeshAttributes attributesAt(const scene::Scene& scene, const scene::Primitive& t
   if (!mesh.colours.empty()) {
     attributes.colour = interpolate<glm::dvec4>(attributeOf(mesh, mesh.colours, triangle.index), b);
   }
-  if (!mesh.tangents.empty()) setTangents(attributeOf(mesh, mesh.tangents, triangle.index), b, normal, attributes);
+  if (!mesh.tangents.empty()) setTangents(vertexTangentsOf(scene, triangle), b, normal, attributes);
   return attributes;
 }
 

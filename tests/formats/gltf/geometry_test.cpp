@@ -16,7 +16,7 @@ void checkVector(const glm::vec3& actual, const glm::vec3& expected) {
 
 /// The geometric normal of triangle 0, of any length.
 glm::vec3 normalOf(const scene::Scene& scene) {
-  const scene::Triangle t = triangleOf(scene, scene.primitives.at(0));
+  const scene::Triangle t = triangleOf(scene, scene.primitives[0]);
   return glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]);
 }
 
@@ -88,7 +88,7 @@ TEST_CASE("without normals there are no tangents, and the triangle is flat") {
   file.primitive()["attributes"]["TANGENT"] = file.vectors({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", 4);
   const scene::Scene scene = sceneOf(file);
   CHECK(scene.meshes.at(0).tangents.empty());
-  CHECK_FALSE(isSmooth(scene, scene.primitives.at(0)));
+  CHECK_FALSE(isSmooth(scene, scene.primitives[0]));
 }
 
 TEST_CASE("normals follow a scale by its inverse, and tangents by the scale itself") {

@@ -83,8 +83,8 @@ TEST_CASE("lenient reading ignores the transforms above a node that the scene li
         std::string::npos);
   const scene::LoadedScene loaded = load(file, {.lenient = true});
   CHECK(warns(loaded, "the transforms of its ancestors are ignored"));
-  CHECK(loaded.scene.meshes.at(0).positions[0] == glm::vec3(1, 0, 0));
-  CHECK(loaded.scene.meshes.at(1).positions[0] == glm::vec3(1, 0, 3));
+  CHECK(triangleOf(loaded.scene, loaded.scene.primitives[0]).p[0] == glm::vec3(1, 0, 0));
+  CHECK(triangleOf(loaded.scene, loaded.scene.primitives[1]).p[0] == glm::vec3(1, 0, 3));
 }
 
 TEST_CASE("KHR_node_visibility hides meshes and lights of a node and of those below it, but no camera") {
@@ -124,9 +124,10 @@ TEST_CASE("each instance has its own translation, rotation and scale") {
   file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
   file.root["nodes"][0]["translation"] = {10, 0, 0};
   const scene::Scene scene = sceneOf(file);
-  REQUIRE(scene.meshes.size() == 2);
-  CHECK(scene.meshes[0].positions[1] == glm::vec3(13, 0, 1));
-  CHECK(glm::distance(scene.meshes[1].positions[1], glm::vec3(10, 1, 2)) < 1e-6f);
+  CHECK(scene.meshes.size() == 1);
+  REQUIRE(scene.primitives.size() == 2);
+  CHECK(triangleOf(scene, scene.primitives[0]).p[1] == glm::vec3(13, 0, 1));
+  CHECK(glm::distance(triangleOf(scene, scene.primitives[1]).p[1], glm::vec3(10, 1, 2)) < 1e-6f);
 }
 
 TEST_CASE("instances that have attributes of an application only are at the node") {

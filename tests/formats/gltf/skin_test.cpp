@@ -70,7 +70,7 @@ TEST_CASE("a joint that mirrors keeps fronts in front") {
   file.root["nodes"][1]["scale"] = {-1, 1, 1};
   file.root["nodes"][2]["scale"] = {-1, 1, 1};
   const scene::Scene scene = sceneOf(file);
-  const scene::Triangle t = triangleOf(scene, scene.primitives.at(0));
+  const scene::Triangle t = triangleOf(scene, scene.primitives[0]);
   CHECK(glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]).z > 0);
 }
 

@@ -62,7 +62,7 @@ TEST_CASE("statements share one mesh of each kind, and their primitives are in t
 
 TEST_CASE("a mesh statement with vertices that no triangle uses, or without triangles, is read") {
   const Scene scene = sceneOf("mesh 4 1\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n2 3 4\n");
-  CHECK(hasVertices(triangleOf(scene, scene.primitives.at(0)), {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
+  CHECK(hasVertices(triangleOf(scene, scene.primitives[0]), {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}));
   CHECK(sceneOf("mesh 3 0\n0 0 0\n1 0 0\n0 1 0\n").meshes.empty());
 }
 

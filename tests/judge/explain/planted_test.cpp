@@ -124,8 +124,12 @@ TEST_CASE("a missing surface is reported by its primitive") {
 
 TEST_CASE("a different material of a primitive is reported as such") {
   requireFirst([](const render::VertexTrace& v) { return sees(v, kShiny); },
-               [](scene::Scene& scene, render::RenderSettings&) { scene.primitives[kShiny].material = 3; }, "vertex 1",
-               "material");
+               [](scene::Scene& scene, render::RenderSettings&) {
+                 std::vector<scene::Primitive> primitives(scene.primitives.begin(), scene.primitives.end());
+                 primitives[kShiny].material = 3;
+                 scene.primitives = scene::PrimitiveList(primitives);
+               },
+               "vertex 1", "material");
 }
 
 TEST_CASE("a brighter light is reported where it is visible, and by its contribution") {

@@ -12,7 +12,7 @@ using Names = std::vector<std::string>;
 // Three objects: a floor of two primitives, a rug and a lamp.
 scene::Scene namedScene() {
   scene::Scene scene;
-  scene.primitives.assign(4, scene::Primitive(scene::PrimitiveKind::sphere, 0, 0));
+  scene.primitives.append({scene::PrimitiveKind::sphere, 0, 0}, 4);
   scene.objectStarts = {0, 2, 3};
   scene.objectNames = {"Floor", "Rug", "Lamp"};
   return scene;

@@ -18,7 +18,7 @@ struct Choice {
 // The choice for a scene of this size that requests no structure, on a device without a loop limit.
 Choice choiceFor(std::size_t primitives, bool isPreference) {
   scene::Scene scene;
-  scene.primitives.assign(primitives, scene::Primitive(scene::PrimitiveKind::sphere, 0, 0));
+  scene.primitives.append({scene::PrimitiveKind::sphere, 0, 0}, static_cast<std::uint32_t>(primitives));
   render::StructureSettings structure;
   structure.accel = render::AccelKind::none;
   structure.accelIsPreference = isPreference;

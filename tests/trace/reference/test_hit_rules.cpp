@@ -23,7 +23,8 @@ TEST_CASE("at equal distances the lower primitive index is hit") {
   b.plane({0, 0, 1}, {1, 0, 1}, {0, 1, 1});
   Counters counters;
   CHECK(Tracing(b.scene, render::defaultSettings()).closest({{0.5, 0.2, 4}, {0, 0, -1}}, counters).primitive == 0);
-  std::swap(b.scene.primitives[0], b.scene.primitives[3]);
+  const scene::PrimitiveList& own = b.scene.primitives;
+  b.scene.primitives = {own[3], own[1], own[2], own[0]};
   CHECK(Tracing(b.scene, render::defaultSettings()).closest({{0.5, 0.2, 4}, {0, 0, -1}}, counters).primitive == 0);
   CHECK(counters.traversalSteps == 8);
 }
