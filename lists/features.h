@@ -5,15 +5,16 @@
 #define CANDELA_LISTS_FEATURES_H
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in shaders/shared/specialization.h; id 96 is free.
+// use are compiled out. Other ids are in shaders/shared/specialization.h; id 100 is free.
 #define CANDELA_FEATURES(X)                                                                      \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                   \
   X(triangles, kHasTriangles, 3)                                                                 \
   X(boxes, kHasBoxes, 4)                                                                         \
   X(cones, kHasCones, 5)                                                                         \
   X(planes, kHasPlanes, 6)                                                                       \
-  X(smooth, kHasSmooth, 7)   /* some triangle has vertex normals */                              \
-  X(diffuse, kHasDiffuse, 8) /* lobes present */                                                 \
+  X(instances, kHasInstances, 96) /* some triangles are traversed in the space of their mesh */  \
+  X(smooth, kHasSmooth, 7)        /* some triangle has vertex normals */                         \
+  X(diffuse, kHasDiffuse, 8)      /* lobes present */                                            \
   X(glossy, kHasGlossy, 9)                                                                       \
   X(mirror, kHasMirror, 10)                                                                      \
   X(dielectric, kHasDielectric, 11)                                                              \

@@ -3,6 +3,7 @@
 #ifndef CANDELA_COINCIDENCE_GLSL
 #define CANDELA_COINCIDENCE_GLSL
 #include "geometry.glsl"
+#include "placements.glsl"
 #include "scene_access.glsl"
 
 const float kAtOnce = 1e-37;              // distance of a hit on a surface that coincides with the origin's
@@ -67,7 +68,7 @@ FlatSurface flatSurfaceOf(uvec4 rows[3], vec3 point) {
 // Returns the records of the ray's origin primitive, which the host has marked. In a list, few are marked, and choosing
 // among their uniform records is cheaper than reading records that differ in each lane.
 uvec4[3] rowsOfStart(Ray ray) {
-  if (kUniformSlots == 0u) return rowsOfSlot(ray.originSlot & kOriginSlotMask);
+  if (kUniformSlots == 0u) return placedRowsOf(ray.originSlot & kOriginSlotMask, ray.originInstance);
   uint first = kFirstMarkedSlot * kPrimitiveRows;
   uvec4 rows[3] = uvec4[3](slotRow(first), slotRow(first + 1u), slotRow(first + 2u));
   [[unroll]] for (uint slot = kFirstMarkedSlot + 1u; slot < kUniformSlots; ++slot) {

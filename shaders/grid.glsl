@@ -148,7 +148,7 @@ void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
     seekItem(hit.t, work);
     if (hasItem()) {
       uint slot = takeItem(work);
-      keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot);
+      keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot, 0u);
     }
     if (traversal.finished) break;
   }

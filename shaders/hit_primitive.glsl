@@ -7,6 +7,14 @@
 #include "opacity.glsl"
 #include "scene_access.glsl"
 
+// The closest hit of a ray.
+struct Hit {
+  float t;  // kNoHit: no hit, and the other members are undefined; during the search, the distance that is compared
+  uint slot;
+  uint index;  // primitive index; at equal distances the lower one wins
+  uint instance;  // number of the instance, or 0
+};
+
 struct PrimitiveHit {
   float t;
   uint index;  // primitive index in the scene, and kIndexBehind

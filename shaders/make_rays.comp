@@ -46,7 +46,7 @@ void main() {
   CastRay diffuse = kNoRay;
   CastRay shadow = kNoRay;
   if (hit.t < kNoHit) {
-    Surface surface = surfaceAt(ray, hit.slot, hit.t);
+    Surface surface = surfaceAt(ray, hit);
     Normals normals = normalsTowards(surface, -direction);
     diffuse = diffuseRay(surface, normals, key);
     if (kHasLights) shadow = shadowRay(surface, normals, key, work);

@@ -201,7 +201,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   shadow.wanted = false;
   if (!arrive(path, hit, key, counts)) return false;
   decisions.index = hit.index;
-  Surface surface = surfaceAt(path.ray, hit.slot, hit.t);
+  Surface surface = surfaceAt(path.ray, hit);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
   Material material = materialAt(surface);
   if (kHasEmission && kHasCoat && material.isSurface) {

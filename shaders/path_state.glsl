@@ -19,6 +19,7 @@ Path unpackPath(PathState state) {
   Path path;
   path.ray = makeRay(uintBitsToFloat(state.originPdf.xyz), uintBitsToFloat(state.directionAndSlot.xyz),
                      state.directionAndSlot.w);
+  path.ray.originInstance = state.instances.x;
   path.pdf = uintBitsToFloat(state.originPdf.w);
   path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
   path.depth = depthOf(state);
@@ -31,7 +32,8 @@ PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
   return PathState(floatBitsToUint(vec4(path.ray.origin, path.pdf)),
                    uvec4(floatBitsToUint(path.ray.direction), path.ray.originSlot),
                    uvec4(floatBitsToUint(path.throughput), path.depth | (kHasVolumes ? path.volume << kVolumeShift : 0u)),
-                   uvec4(floatBitsToUint(path.radiance), sampleIndex), counts);
+                   uvec4(floatBitsToUint(path.radiance), sampleIndex), counts,
+                   uvec4(path.ray.originInstance, 0u, 0u, 0u));
 }
 
 // Packs decisions into the format of path records.

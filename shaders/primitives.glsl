@@ -20,7 +20,9 @@ uint spawnSlot(Surface surface, vec3 direction, bool crosses) {
 
 // Spawns a ray from a surface.
 Ray rayFrom(Surface surface, vec3 direction, bool crosses) {
-  return makeRay(spawnOrigin(surface, direction), direction, spawnSlot(surface, direction, crosses));
+  Ray ray = makeRay(spawnOrigin(surface, direction), direction, spawnSlot(surface, direction, crosses));
+  ray.originInstance = surface.instance;
+  return ray;
 }
 
 // Spawns a ray from a surface in the direction wi. With `hasEnd`, it ends at the point `end`, whose distance from the
@@ -38,7 +40,9 @@ Ray shadowRayFrom(Surface surface, vec3 wi, bool crosses, bool hasEnd, vec3 end,
       direction = toEnd / moved;
     }
   }
-  return makeRay(origin, direction, spawnSlot(surface, wi, crosses));
+  Ray ray = makeRay(origin, direction, spawnSlot(surface, wi, crosses));
+  ray.originInstance = surface.instance;
+  return ray;
 }
 
 #endif

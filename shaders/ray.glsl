@@ -24,6 +24,7 @@ struct Ray {
   vec3 origin;
   vec3 direction;   // unit
   uint originSlot;  // slot of the origin primitive and flags kOrigin..., or kNoSlot
+  uint originInstance;  // of the origin primitive: number of the instance, or 0
   bvec2 along;      // the direction's largest component is x, or y; else it is z
   vec3 shear;       // coefficients of `sheared`; set if the scene has triangles
   uint opacityKey;  // of the decisions which transparent triangles it hits; set if the scene has any
@@ -50,6 +51,7 @@ Ray makeRay(vec3 origin, vec3 direction, uint originSlot) {
   ray.origin = origin;
   ray.direction = direction;
   ray.originSlot = originSlot;
+  ray.originInstance = 0u;
   ray.along = along;
   ray.shear = shear;
   ray.opacityKey = 0u;

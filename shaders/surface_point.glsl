@@ -11,6 +11,7 @@ struct Surface {
   vec3 outward;     // geometric normal with the primitive's own orientation
   vec3 shading;     // shading normal with the orientation of `outward`
   uint slot;
+  uint instance;    // number of the instance, or 0
   uint kind;        // kind, flags and material
   uint light;       // index in the light table + 1; 0: not in the table
   uint index;       // primitive index in the scene
@@ -29,16 +30,12 @@ struct Surface {
 const float kMinNormalCosine = 1.0 / 65536.0;
 
 void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
-  uvec4 first = sceneRow(normalRow);
-  vec3 n0 = uintBitsToFloat(first.xyz);
-  vec3 n1 = sceneRowFloat(normalRow + 1u).xyz;
-  vec3 n2 = sceneRowFloat(normalRow + 2u).xyz;
-  vec3 interpolated = (1.0 - weights.x - weights.y) * n0 + weights.x * n1 + weights.y * n2;
-  float squared = dot(interpolated, interpolated);
-  vec3 shading = squared > 0.0 ? interpolated * (1.0 / sqrt(squared)) : surface.outward;
+  vec3 mean = normalAt(normalRow, surface.instance, weights);
+  float squared = dot(mean, mean);
+  vec3 shading = squared > 0.0 ? mean * (1.0 / sqrt(squared)) : surface.outward;
   float cosine = dot(shading, surface.outward);
   surface.shading = abs(cosine) < kMinNormalCosine ? surface.outward : cosine < 0.0 ? -shading : shading;
-  surface.light = first.w;
+  surface.light = sceneRow(normalRow).w;
 }
 
 void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extra) {
@@ -57,24 +54,24 @@ void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extr
   if ((hasTexCoords || hasColours || hasTangents) && !hasNormals) surface.light = sceneRow(row).x;
   if (hasTexCoords) surface.texCoords = texCoordsAt(row, surface.kind, weights);
   if (hasColours) surface.colour = colourAt(row, surface.kind, weights).xyz;
-  if (hasTangents) surface.tangent = tangentAt(row, surface.kind, weights);
+  if (hasTangents) surface.tangent = tangentAt(row, surface.kind, surface.instance, weights);
 }
 
-// Returns the surface point of a slot at distance t along a ray that hits it.
-Surface surfaceAt(Ray ray, uint slot, float t) {
-  uint row = primitiveRow(slot);
-  uvec4 bits0 = sceneRow(row);
-  uvec4 bits1 = sceneRow(row + 1u);
-  uvec4 bits2 = sceneRow(row + 2u);
-  vec4 row0 = uintBitsToFloat(bits0);
-  vec4 row1 = uintBitsToFloat(bits1);
-  vec4 row2 = uintBitsToFloat(bits2);
+// Returns the surface point of a ray's hit.
+Surface surfaceAt(Ray ray, Hit hit) {
+  uint slot = hit.slot;
+  float t = hit.t;
+  uvec4 rows[3] = placedRowsOf(slot, hit.instance);
+  vec4 row0 = uintBitsToFloat(rows[0]);
+  vec4 row1 = uintBitsToFloat(rows[1]);
+  vec4 row2 = uintBitsToFloat(rows[2]);
   precise vec3 position = ray.origin + t * ray.direction;
   Surface surface;
   surface.position = position;
   surface.slot = slot;
-  surface.kind = bits2.w;
-  surface.index = bits1.w & kIndexMask;
+  surface.instance = hit.instance;
+  surface.kind = rows[2].w;
+  surface.index = indexOf(rows);
   bool forth = (ray.originSlot & (kOriginCrosses | kOriginBack)) != 0u;
   surface.contact = !kHasCoincident || t != kAtOnce ? 0u : forth ? kOriginBeyond : kOriginBack;
   surface.light = 0u;
@@ -90,7 +87,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   if (kHasSpheres && isKind(surface.kind, kKindSphere)) {
     surface.outward = sphereNormal(surface.position, row0.xyz, row0.w, row1.xyz);
     if ((surface.kind & kFlagInsideOnly) != 0u) surface.outward = -surface.outward;
-    surface.light = bits2.x;
+    surface.light = rows[2].x;
     surface.flatSurface = false;
   }
   if (kHasBoxes && isKind(surface.kind, kKindBox)) {
@@ -106,7 +103,7 @@ Surface surfaceAt(Ray ray, uint slot, float t) {
   }
   surface.shading = surface.outward;
   if (kHasTriangles && isKind(surface.kind, kKindTriangle)) {
-    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, bits0.w);
+    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, rows[0].w);
   }
   return surface;
 }

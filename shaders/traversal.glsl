@@ -5,12 +5,6 @@
 #include "occlusion.glsl"
 #include "primitives.glsl"
 
-struct Hit {
-  float t;  // kNoHit: no hit, and the other members are undefined; during the search, the distance that is compared
-  uint slot;
-  uint index;  // primitive index; at equal distances the lower one wins
-};
-
 // Counts of traversal steps and of loops that a device with a loop limit stopped early. docs/driver-workarounds.md,
 // sections 3 and 4, explains why loops test their conditions twice, and why `truncated` is not computed from these
 // conditions.
@@ -19,11 +13,12 @@ struct Work {
   uint truncated;
 };
 
-void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot) {
+void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot, uint instance) {
   bool better = candidate.t < hit.t || (candidate.t == hit.t && candidate.index < hit.index);
   hit.t = better ? candidate.t : hit.t;
   hit.slot = better ? slot : hit.slot;
   hit.index = better ? candidate.index : hit.index;
+  if (kHasInstances) hit.instance = better ? instance : hit.instance;
 }
 
 // Returns 0, because no component of a direction reaches 2. Compilers cannot know this: docs/driver-workarounds.md
@@ -34,7 +29,7 @@ void closestInRange(inout Hit hit, Ray ray, uint first, uint end, uint known, in
   uint slot = first + zeroOfLane(ray);
   uint cutShort = slot < end ? 1u : 0u;
   while (slot < end) {
-    keepCloser(hit, hitPrimitive(ray, slot, known), slot);
+    keepCloser(hit, hitPrimitive(ray, slot, known), slot, 0u);
     ++slot;
     cutShort = slot < end ? 1u : 0u;
     if (slot >= end) break;
@@ -79,7 +74,7 @@ uvec4[3] rowsOfUniformSlot(Ray ray, uint slot) {
 void closestOfUniform(inout Hit hit, Ray ray, inout Work work) {
   [[unroll]] for (uint slot = 0u; slot < kUniformSlots; ++slot) {
     uvec4 rows[3] = rowsOfUniformSlot(ray, slot);
-    keepCloser(hit, comparedHit(ray, slot, rows, uniformKind(slot), knownOfUniformSlot(slot)), slot);
+    keepCloser(hit, comparedHit(ray, slot, rows, uniformKind(slot), knownOfUniformSlot(slot)), slot, 0u);
   }
   work.steps += kUniformSlots;
 }
@@ -104,19 +99,21 @@ vec3 inverseDirection(vec3 direction) {
 
 #include "bvh.glsl"
 #include "wide_bvh.glsl"
+#include "instances.glsl"
 #include "grid.glsl"
 
 Hit traceClosest(Ray ray, inout Work work) {
   ray = withStart(ray);
-  Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu);
+  Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu, 0u);
   if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
   else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
   else if (kStructure == kStructureGrid) closestInGrid(hit, ray, work);
   else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
+  if (kHasInstances) closestInInstances(hit, ray, work);
   if (kHasBehind && hit.t < kNoHit && (hit.index & kIndexBehind) != 0u) {
-    uvec4 rows[3] = rowsOfSlot(hit.slot);
+    uvec4 rows[3] = placedRowsOf(hit.slot, hit.instance);
     hit.t = distanceToRows(ray, hit.slot, rows, rows[2].w, kAnyPrimitive);
     hit.index &= kIndexMask;
   }
@@ -129,6 +126,7 @@ bool traceAny(Ray ray, RayEnd end, inout Work work) {
   if (kLoopsOverPlanes && anyInRange(ray, constants.firstPlaneSlot, constants.slotCount, end, kInfinitePlane, work)) {
     return true;
   }
+  if (kHasInstances && anyInInstances(ray, end, work)) return true;
   if (kUniformSlots > 0u) return anyOfUniform(ray, end, work);
   if (kStructure == kStructureBvh) return anyInHierarchy(ray, end, work);
   if (kStructure == kStructureWideBvh) return anyInWideHierarchy(ray, end, work);

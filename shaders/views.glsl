@@ -23,7 +23,7 @@ float openness(Surface surface, Normals normals, SampleKey key, inout Work work,
 vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts counts, inout Decisions decisions) {
   if (kView == kViewDepth) return vec3(hit.t);
   if (kView == kViewId) return indexColour(hit.index);
-  Surface surface = surfaceAt(ray, hit.slot, hit.t);
+  Surface surface = surfaceAt(ray, hit);
   if (kHasTextures) surface.jitter = textureJitter(key, 1u);
   if (kView == kViewAlbedo) return albedo(materialAt(surface));
   if (kHasNormalMaps && kView == kViewNormal && hasTangents(surface)) {

@@ -9,6 +9,7 @@ void storeShadowRay(uint pixelIndex, ShadowRay shadow) {
   waves[pixelIndex].shadowLimit = floatBitsToUint(vec4(shadow.ray.origin, shadow.end.distance));
   waves[pixelIndex].shadowDirection = uvec4(floatBitsToUint(shadow.ray.direction), shadow.ray.originSlot);
   waves[pixelIndex].shadowLight = uvec4(floatBitsToUint(shadow.radiance), shadow.end.light);
+  if (kHasInstances) waves[pixelIndex].path.instances.z = shadow.ray.originInstance;
   if (kHasTouched) lightPointOf(waves[pixelIndex]) = floatBitsToUint(shadow.end.point);
 }
 
@@ -35,7 +36,8 @@ void main() {
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
-  bool continues = shadeHit(path, Hit(uintBitsToFloat(found.x), found.y, found.z), key, work, counts, decisions, shadow);
+  Hit hit = Hit(uintBitsToFloat(found.x), found.y, found.z, kHasInstances ? state.instances.y : 0u);
+  bool continues = shadeHit(path, hit, key, work, counts, decisions, shadow);
   if (changesLayers) storeLayers(pixelIndex);
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));

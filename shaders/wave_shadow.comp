@@ -8,6 +8,7 @@ ShadowRay loadShadowRay(uint pixelIndex) {
   uvec4 direction = waves[pixelIndex].shadowDirection;
   uvec4 light = waves[pixelIndex].shadowLight;
   Ray ray = makeRay(uintBitsToFloat(origin.xyz), uintBitsToFloat(direction.xyz), direction.w);
+  if (kHasInstances) ray.originInstance = waves[pixelIndex].path.instances.z;
   vec3 point = kNoPoint;
   if (kHasTouched) point = uintBitsToFloat(lightPointOf(waves[pixelIndex]));
   return ShadowRay(true, ray, RayEnd(uintBitsToFloat(origin.w), light.w, point), uintBitsToFloat(light.xyz));

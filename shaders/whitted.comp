@@ -17,7 +17,7 @@ TreeState loadTree(uint row) {
   uvec4 rays = treeRows[row + 4u];
   uvec4 work = treeRows[row + 5u];
   return TreeState(treeRows[row], treeRows[row + 1u], position.x, position.y, position.z, position.w, treeRows[row + 3u], rays.x,
-                   rays.y, rays.z, rays.w, work.x, work.y, 0u, 0u);
+                   rays.y, rays.z, rays.w, work.x, work.y, work.z, 0u);
 }
 
 void storeTree(uint row, TreeState state) {
@@ -26,15 +26,17 @@ void storeTree(uint row, TreeState state) {
   treeRows[row + 2u] = uvec4(state.node, state.pending, state.nextLight, state.nodesDone);
   treeRows[row + 3u] = state.radianceSample;
   treeRows[row + 4u] = uvec4(state.cameraHits, state.reflectedRays, state.refractedRays, state.shadowRays);
-  treeRows[row + 5u] = uvec4(state.vertices, state.steps, 0u, 0u);
+  treeRows[row + 5u] = uvec4(state.vertices, state.steps, state.originInstance, 0u);
 }
 
-Ray unpackRay(uvec4 originAndSlot, uvec4 directionWeight) {
-  return makeRay(uintBitsToFloat(originAndSlot.xyz), uintBitsToFloat(directionWeight.xyz), originAndSlot.w);
+Ray unpackRay(uvec4 originAndSlot, uvec4 directionWeight, uint instance) {
+  Ray ray = makeRay(uintBitsToFloat(originAndSlot.xyz), uintBitsToFloat(directionWeight.xyz), originAndSlot.w);
+  ray.originInstance = instance;
+  return ray;
 }
 
 Tree unpackTree(TreeState state) {
-  return Tree(unpackRay(state.originAndSlot, state.directionWeight), uintBitsToFloat(state.directionWeight.w),
+  return Tree(unpackRay(state.originAndSlot, state.directionWeight, state.originInstance), uintBitsToFloat(state.directionWeight.w),
               state.node, state.pending, state.nextLight, uintBitsToFloat(state.radianceSample.xyz));
 }
 
@@ -44,6 +46,7 @@ void storePending(inout Tree tree, uint treeRow, uint depth, Ray ray, float weig
   uint row = pendingRow(treeRow, depth);
   treeRows[row] = uvec4(floatBitsToUint(ray.origin), ray.originSlot);
   treeRows[row + 1u] = floatBitsToUint(vec4(ray.direction, weight));
+  if (kHasInstances) treeRows[row + 2u].x = ray.originInstance;
   tree.pending |= 1u << depth;
 }
 
@@ -53,7 +56,7 @@ void takePending(inout Tree tree, uint treeRow) {
   uint row = pendingRow(treeRow, depth);
   uvec4 originAndSlot = treeRows[row];
   uvec4 directionWeight = treeRows[row + 1u];
-  tree.ray = unpackRay(originAndSlot, directionWeight);
+  tree.ray = unpackRay(originAndSlot, directionWeight, kHasInstances ? treeRows[row + 2u].x : 0u);
   tree.weight = uintBitsToFloat(directionWeight.w);
   tree.node = (tree.node >> (depthOf(tree.node) - depth)) | 1u;
   tree.pending ^= 1u << depth;
@@ -142,7 +145,7 @@ void main() {
                                floatBitsToUint(vec4(tree.ray.direction, tree.weight)),
                                tree.node, tree.pending, tree.nextLight, nodesDone,
                                uvec4(floatBitsToUint(tree.radiance), sampleIndex), counts.cameraHits, counts.reflected,
-                               counts.refracted, counts.shadow, counts.vertices, state.steps + work.steps, 0u, 0u));
+                               counts.refracted, counts.shadow, counts.vertices, state.steps + work.steps, tree.ray.originInstance, 0u));
   if (truncated > 0u) atomicAdd(counters.truncated, truncated);
   if (sampleIndex > firstSample) atomicAdd(counters.finishedSamples, sampleIndex - firstSample);
   if (sampleIndex >= sampleEnd) atomicAdd(counters.finishedPixels, 1u);

@@ -167,7 +167,7 @@ bool visitNode(inout Tree tree, SampleKey key, inout Work work, inout RayCounts 
   decisions.index = hit.index;
   counts.vertices += first ? 1u : 0u;
   counts.cameraHits += first && tree.node == 1u ? 1u : 0u;
-  surface = surfaceAt(tree.ray, hit.slot, hit.t);
+  surface = surfaceAt(tree.ray, hit);
   Material material = materialAt(surface);
   vec3 wo = -tree.ray.direction;
   Normals normals = normalsTowards(surface, wo);

@@ -18,18 +18,22 @@ struct WideRay {
 // opposite and become NaN. Coordinates are below 2^41, and 2^-80 is still too small to affect a result.
 const float kMinComponent = 8.3e-25;
 
-WideRay wideRay(Ray ray) {
+WideRay wideRay(vec3 origin, vec3 direction, float padding) {
   WideRay result;
-  result.backward = lessThan(ray.direction, vec3(0.0));
-  vec3 pad = mix(vec3(1.0), vec3(-1.0), result.backward) * (largest(abs(ray.origin)) * (1.0 / 524288.0));
-  result.nearOrigin = ray.origin + pad;
-  result.farOrigin = ray.origin - pad;
-  vec3 magnitude = max(abs(ray.direction), vec3(kMinComponent));
+  result.backward = lessThan(direction, vec3(0.0));
+  vec3 pad = mix(vec3(1.0), vec3(-1.0), result.backward) * padding;
+  result.nearOrigin = origin + pad;
+  result.farOrigin = origin - pad;
+  vec3 magnitude = max(abs(direction), vec3(kMinComponent));
   result.inverse = 1.0 / mix(magnitude, -magnitude, result.backward);
   uvec3 bits = mix(uvec3(0u), uvec3(1u, 2u, 4u), result.backward);
   result.octant = bits.x | bits.y | bits.z;
   return result;
 }
+
+float paddingOf(vec3 origin) { return largest(abs(origin)) * (1.0 / 524288.0); }
+
+WideRay wideRay(Ray ray) { return wideRay(ray.origin, ray.direction, paddingOf(ray.origin)); }
 
 // A node's grid of planes in units of the ray's distance.
 struct PlaneDistances {
@@ -82,6 +86,10 @@ uint firstPrimitive;
 bool nonePending;     // no node of any block is pending
 uint wideUnfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
 
+// State of the BVH over instances while one of them is traversed: instances.glsl.
+bool insideInstance;
+uint stackFloor;  // words on the stack that belong to the outer BVH
+
 // The stack of words below the current block, the last one first, the rest 0. BVHs that need more words use the array
 // of bvh.glsl: docs/driver-workarounds.md section 7.
 const uint kWordsKept = 12u;
@@ -98,9 +106,13 @@ void startWideTraversal(WideRay ray) {
   leafHits = 0u;
   nonePending = false;
   wideUnfinished = 1u;
+  insideInstance = false;
+  stackFloor = 0u;
 }
 
-void noteWideEnd() { wideUnfinished = nonePending && leafHits == 0u ? 0u : 1u; }
+bool isTraversed() { return nonePending && leafHits == 0u; }
+
+void noteWideEnd() { wideUnfinished = isTraversed() && !(kHasInstances && insideInstance) ? 0u : 1u; }
 
 // Tests the children of the nearest pending node.
 void visitWideNode(WideRay ray, float limit) {
@@ -136,6 +148,11 @@ bool anyPending(uint word) { return (word & 255u) != 0u; }
 void nextOfKept() {
   bool deeper = anyPending(pendingNodes) && anyPending(left);
   bool back = !anyPending(pendingNodes) && !anyPending(left);
+  if (kHasInstances) {
+    back = back && stackTop > stackFloor;
+    stackTop += deeper ? 1u : 0u;
+    stackTop -= back ? 1u : 0u;
+  }
   uvec4 next0 = deeper ? uvec4(left, kept0.xyz) : back ? uvec4(kept0.yzw, kept1.x) : kept0;
   uvec4 next1 = deeper ? uvec4(kept0.w, kept1.xyz) : back ? uvec4(kept1.yzw, kept2.x) : kept1;
   uvec4 next2 = deeper ? uvec4(kept1.w, kept2.xyz) : back ? uvec4(kept2.yzw, 0u) : kept2;
@@ -147,7 +164,7 @@ void nextOfKept() {
 
 void nextOfStack() {
   bool deeper = anyPending(pendingNodes) && anyPending(left);
-  bool back = !anyPending(pendingNodes) && !anyPending(left) && stackTop > 0u;
+  bool back = !anyPending(pendingNodes) && !anyPending(left) && stackTop > (kHasInstances ? stackFloor : 0u);
   if (deeper) stack[stackTop] = left;
   stackTop += deeper ? 1u : 0u;
   stackTop -= back ? 1u : 0u;
@@ -188,7 +205,7 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
     descendToLeaves(wide, hit.t, work);
     while (leafHits != 0u) {
       uint slot = takeLeafHit();
-      keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot);
+      keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot, 0u);
       work.steps += 1u;
       if (leafHits == 0u) break;
     }

@@ -57,6 +57,10 @@ struct RenderConstants {
   uint environmentHeight;
   vec3 environmentZ;
   uint firstEnvironmentRow;  // first record of the texels
+  uint firstInstanceRow;
+  uint topNode;  // the root of the BVH over instances
+  uint unused0;
+  uint unused1;
 };
 
 // Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see
@@ -91,7 +95,7 @@ struct PathCounts {
   uint steps;  // traversal steps
 };
 
-// A path between two dispatches: one per pixel of the band, 80 bytes, floats as their bits. All zero: no sample has
+// A path between two dispatches: one per pixel of the band, 96 bytes, floats as their bits. All zero: no sample has
 // started. path_state.glsl has macros that name the packed members.
 struct PathState {
   uvec4 originPdf;         // ray origin, pdf of its direction (0: delta)
@@ -99,6 +103,8 @@ struct PathState {
   uvec4 throughputDepth;   // rgb, depth of the ray (0: the sample has not started) | volume << kVolumeShift
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
+  uvec4 instances;  // numbers of instances, or 0: of the ray's origin; in a WaveState, of the hit and of the shadow
+                    // ray's origin, too
 };
 
 // Length of a pixel's list of hits. The host reads the lists after this number of samples.
@@ -108,14 +114,14 @@ CANDELA_CONST uint kSeenThrough = 0xfffffffeu;
 
 CANDELA_CONST uint kVolumeShift = 21u;  // depths are at most 2^20
 
-// A path of the wavefront, and the data that its stages pass on: 144 bytes.
+// A path of the wavefront, and the data that its stages pass on: 160 bytes.
 struct WaveState {
   PathState path;
-  uvec4 hit;            // of the path's ray: distance, slot, primitive index; once it has been shaded, the point of the
-                        // light of the shadow ray; then the depth of the vertex shaded last
-  uvec4 shadowLimit;    // of the shadow ray: origin, maximum distance
-  uvec4 shadowDirection; // of the shadow ray: direction, originSlot
-  uvec4 shadowLight;    // its contribution if unoccluded, slot of the light
+  uvec4 hit;          // of the path's ray: distance, slot, primitive index; once it has been shaded, the point of the
+                      // light of the shadow ray; then the depth of the vertex shaded last
+  uvec4 shadowLimit;  // of the shadow ray: origin, maximum distance
+  uvec4 shadowDirection;  // of the shadow ray: direction, originSlot
+  uvec4 shadowLight;      // its contribution if unoccluded, slot of the light
 };
 
 // Header of a queue of the wavefront: the number of workgroups of its stage, as vkCmdDispatchIndirect reads it, and the
@@ -155,16 +161,16 @@ struct TreeState {
   uint refractedRays;
   uint shadowRays;
   uint vertices;
-  uint steps;  // traversal steps
+  uint steps;           // traversal steps
+  uint originInstance;  // of the current ray
   uint unused0;
-  uint unused1;
 };
 
 CANDELA_CONST uint kTreeRows = 6u;
 
-// Records of a pending refracted ray: its first two as in TreeState. There is at most one for each depth from 2 on;
-// they follow the TreeState in this order.
-CANDELA_CONST uint kPendingRows = 2u;
+// Records of a pending refracted ray: its first two as in TreeState, and the instance of its origin. There is at most
+// one for each depth from 2 on; they follow the TreeState in this order.
+CANDELA_CONST uint kPendingRows = 3u;
 
 // Maximum number of lights that a segment of the Whitted tracer tests, so that segments are short on devices that limit
 // loops.

@@ -27,8 +27,9 @@ CANDELA_CONST uint kCellsPerRow = 3u;
 CANDELA_CONST uint kItemsPerRow = 4u;
 
 // Primitives ("slots", in the order of the BVH's leaves or of the grid's cells, with infinite planes last), three
-// records each. Common to all kinds: w of record 1 is the primitive index in the scene and kIndexBehind, w of record 2
-// is kind, flags and material (below).
+// records each. Triangles of instances come after the planes, once for all instances of a mesh and a material. Common
+// to all kinds: w of record 1 is the primitive index in the scene, or for an instance that in the mesh, and
+// kIndexBehind; w of record 2 is kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see intersections.glsl
 //   triangle  (p0, light + 1, or first record of its attributes if it has any) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
@@ -60,10 +61,18 @@ CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 // Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
 // (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of
 // texture coordinates, three records, one for each vertex, with set 0 in x and y and set 1 in z and w; vertex
-// colours, three records with linear RGBA; and tangents, three records (unit vector, handedness).
+// colours, three records with linear RGBA; and tangents, three records (unit vector, handedness). Vertices, normals and
+// tangents of instances are those of the mesh.
 CANDELA_CONST uint kNormalRows = 3u;
 CANDELA_CONST uint kTexCoordRows = 3u;
 CANDELA_CONST uint kColourRows = 3u;
+
+// Instances (docs/light-transport.md section 4.1), eleven records. The first four are the columns of the placement, A
+// and b, and the next three those of the normal matrix N; four more are those of the map from the scene to the space of
+// the mesh, in which rays traverse its BVH. In w of the first four, in this order: the primitive index of the
+// instance's first primitive; the node of the root of its BVH; and two numbers for the padding of rays, which is the
+// first plus the second times the largest coordinate of a ray's origin.
+CANDELA_CONST uint kInstanceRows = 11u;
 
 // Materials of the path tracer, five records: (colour of the diffuse lobe, its weight) (colour of the glossy lobe, its
 // weight) (emission, weight of the dielectric lobe) (exponent, ior, 1 if mirror, index of the surface parameters + 1,

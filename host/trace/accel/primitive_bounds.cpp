@@ -44,23 +44,8 @@ std::optional<ExactBounds> exactBounds(const scene::Cone& cone) {
 
 std::optional<ExactBounds> exactBounds(const scene::Plane&) { return std::nullopt; }
 
-Aabb padOutward(const ExactBounds& exact) {
-  const glm::dvec3 magnitudes = glm::max(glm::abs(exact.min), glm::abs(exact.max));
-  const double largest = std::max({magnitudes.x, magnitudes.y, magnitudes.z});
-  const glm::dvec3 min = exact.min - largest * double{kBoundsPad};
-  const glm::dvec3 max = exact.max + largest * double{kBoundsPad};
-  return {{roundDown(min.x), roundDown(min.y), roundDown(min.z)},
-          {-roundDown(-max.x), -roundDown(-max.y), -roundDown(-max.z)}};
-}
-
-float largestCoordinate(const Aabb& box) {
-  const glm::vec3 magnitudes = glm::max(glm::abs(box.min), glm::abs(box.max));
-  return std::max({magnitudes.x, magnitudes.y, magnitudes.z});
-}
-
-void padCoincident(const std::vector<bool>& coincident, SceneBounds& scene) {
+void padCoincident(const std::vector<bool>& coincident, float reach, SceneBounds& scene) {
   if (coincident.empty()) return;
-  float reach = 0;
   for (std::size_t i = 0; i < scene.finite.size(); ++i) {
     if (coincident[scene.finite[i]]) reach = std::max(reach, largestCoordinate(scene.bounds[i]));
   }
@@ -69,14 +54,28 @@ void padCoincident(const std::vector<bool>& coincident, SceneBounds& scene) {
     scene.bounds[i].min -= reach * kBoundsPad;
     scene.bounds[i].max += reach * kBoundsPad;
   }
+  scene.coincidentReach = reach;
 }
 
 }  // namespace
 
+Aabb paddedBounds(const glm::dvec3& min, const glm::dvec3& max) {
+  const glm::dvec3 magnitudes = glm::max(glm::abs(min), glm::abs(max));
+  const double pad = std::max({magnitudes.x, magnitudes.y, magnitudes.z}) * double{kBoundsPad};
+  const auto upward = [&](double x) { return -roundDown(-(x + pad)); };
+  return {{roundDown(min.x - pad), roundDown(min.y - pad), roundDown(min.z - pad)},
+          {upward(max.x), upward(max.y), upward(max.z)}};
+}
+
+float largestCoordinate(const Aabb& box) {
+  const glm::vec3 magnitudes = glm::max(glm::abs(box.min), glm::abs(box.max));
+  return std::max({magnitudes.x, magnitudes.y, magnitudes.z});
+}
+
 std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive) {
   const auto exact = std::visit([](const auto& shape) { return exactBounds(shape); }, shapeOf(scene, primitive));
   if (!exact) return std::nullopt;
-  const Aabb bounds = padOutward(*exact);
+  const Aabb bounds = paddedBounds(exact->min, exact->max);
   const Aabb limits{glm::vec3(-kMaxCoordinate), glm::vec3(kMaxCoordinate)};
   if (!limits.contains(bounds)) {
     throw FileError(fmt::format("{}: a primitive reaches beyond {:.3g}, the largest coordinate that can be traced",
@@ -85,20 +84,30 @@ std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Prim
   return bounds;
 }
 
-SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& coincident) {
+SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& coincident,
+                            const std::vector<bool>& leavesOut, float coincidentReach) {
+  const std::span<const scene::PrimitiveRun> runs = scene.primitives.runs();
   SceneBounds result;
-  result.bounds.reserve(scene.primitives.size());
-  result.finite.reserve(scene.primitives.size());
-  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
-    const std::optional<Aabb> bounds = primitiveBounds(scene, scene.primitives[i]);
-    if (!bounds) {
-      result.infinite.push_back(i);
-      continue;
-    }
-    result.bounds.push_back(*bounds);
-    result.finite.push_back(i);
+  std::size_t count = 0;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (leavesOut.empty() || !leavesOut[run]) count += scene.primitives.countOf(runs[run]);
   }
-  padCoincident(coincident, result);
+  result.bounds.reserve(count);
+  result.finite.reserve(count);
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (!leavesOut.empty() && leavesOut[run]) continue;
+    const std::uint32_t end = runs[run].first + scene.primitives.countOf(runs[run]);
+    for (std::uint32_t i = runs[run].first; i < end; ++i) {
+      const std::optional<Aabb> bounds = primitiveBounds(scene, runs[run].at(i));
+      if (bounds) {
+        result.bounds.push_back(*bounds);
+        result.finite.push_back(i);
+      } else {
+        result.infinite.push_back(i);
+      }
+    }
+  }
+  padCoincident(coincident, coincidentReach, result);
   return result;
 }
 

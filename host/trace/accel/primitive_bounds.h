@@ -45,20 +45,29 @@ inline constexpr float kBoundsPad = 0x1p-19f;
 /// Maximum coordinate of a box in magnitude, about 1.1e12: products of three distances stay finite in single precision.
 inline constexpr float kMaxCoordinate = 0x1p40f;
 
+/// Returns the box from min to max with its padding, rounded outward.
+Aabb paddedBounds(const glm::dvec3& min, const glm::dvec3& max);
+
+/// Returns the largest magnitude of a box's coordinates.
+float largestCoordinate(const Aabb& box);
+
 /// Returns the padded box of one primitive, computed in double precision and rounded outward, or nothing for an
 /// infinite plane. Throws FileError if it exceeds kMaxCoordinate.
 std::optional<Aabb> primitiveBounds(const scene::Scene& scene, const scene::Primitive& primitive);
 
-/// All primitives of a scene: `finite` and `infinite` contain primitive indices in ascending order, and bounds[i] is
+/// Primitives of a scene: `finite` and `infinite` contain primitive indices in ascending order, and bounds[i] is
 /// the box of finite[i]. Every ray tests the infinite primitives.
 struct SceneBounds {
   std::vector<Aabb> bounds;
   std::vector<std::uint32_t> finite;
   std::vector<std::uint32_t> infinite;
+  float coincidentReach = 0;  ///< largest coordinate of coincident primitives, by which their boxes are padded
 };
 /// Throws FileError like primitiveBounds. `coincident`: surfaces that rays hit although rounding puts them before the
 /// ray's origin, because they coincide with the surface on which the ray starts (scene::Coincidences::coincident).
-/// Their boxes are padded further, by the pad of the largest of them. Empty: there are none.
-SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& coincident = {});
+/// Their boxes are padded further, by the pad of the largest of them and of a coordinate `coincidentReach`. Empty:
+/// there are none. `leavesOut`: runs whose primitives are left out; empty: none.
+SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& coincident = {},
+                            const std::vector<bool>& leavesOut = {}, float coincidentReach = 0);
 
 }  // namespace candela::accel

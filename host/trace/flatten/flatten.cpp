@@ -7,10 +7,12 @@
 #include "host/base/errors.h"
 #include "host/base/stopwatch.h"
 #include "host/scene/coincidence/coincidence.h"
+#include "host/scene/stored_primitives.h"
 #include "host/trace/accel/primitive_bounds.h"
 #include "host/trace/flatten/camera_constants.h"
 #include "host/trace/flatten/flat_scene.h"
 #include "host/trace/flatten/flatten_hierarchy.h"
+#include "host/trace/flatten/flatten_instances.h"
 #include "host/trace/flatten/flatten_primitives.h"
 #include "host/trace/flatten/flatten_sections.h"
 #include "host/trace/flatten/light_table.h"
@@ -21,15 +23,27 @@ namespace {
 
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
 
+void checkSlotCount(const scene::Scene& scene, std::size_t count) {
+  if (count < kMaxSlots) return;
+  throw FileError(fmt::format("{}: {} primitives; at most {} are supported", scene.name, count, kMaxSlots - 1));
+}
+
 void checkLimits(const scene::Scene& scene) {
-  if (scene.primitives.size() >= kMaxSlots) {
-    throw FileError(
-        fmt::format("{}: {} primitives; at most {} are supported", scene.name, scene.primitives.size(), kMaxSlots - 1));
-  }
   if (scene.materials.size() > gpu::kMaxMaterialCount) {
     throw FileError(fmt::format("{}: {} materials; at most {} are supported", scene.name, scene.materials.size(),
                                 gpu::kMaxMaterialCount));
   }
+}
+
+// Marks a triangle in all instances of a mesh if it is marked in one of them: they share their records.
+void shareMarks(const scene::Scene& scene, std::vector<bool>& marks) {
+  if (scene.placements.empty()) return;
+  const scene::StoredPrimitives stored(scene.primitives);
+  std::vector<bool> shared(stored.count());
+  for (std::uint32_t i = 0; i < marks.size(); ++i) {
+    if (marks[i]) shared[stored.indexOf(i)] = true;
+  }
+  for (std::uint32_t i = 0; i < marks.size(); ++i) marks[i] = shared[stored.indexOf(i)];
 }
 
 // Returns the number of records of a tree's state. Only glass makes rays pending.
@@ -84,8 +98,13 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.shape.features = featuresOf(scene, settings.image.integrator);
   noteCamera(*scene.camera, flat.constants, flat.shape);
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
-  const scene::Coincidences coincidences = scene::findCoincidences(scene);
-  const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident);
+  scene::Coincidences coincidences = scene::findCoincidences(scene);
+  shareMarks(scene, coincidences.coincident);
+  shareMarks(scene, coincidences.behind);
+  const InstancePlan plan = planInstances(scene, coincidences, settings);
+  const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident, plan.isInstance,
+                                                           plan.coincidentReach);
+  checkSlotCount(scene, bounds.finite.size() + bounds.infinite.size() + plan.triangleCount);
   const bool small = isSmall(scene, coincidences.coincident, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
   if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
@@ -99,16 +118,25 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   }
   flat.shape.slotCount = static_cast<std::uint32_t>(order.size());
   flat.constants.slotCount = flat.shape.slotCount;
+  flat.shape.features.instances = plan.hasInstances();
+  InstanceSlots instances;
+  if (plan.hasInstances()) {
+    instances = appendInstanceHierarchies(scene, plan, settings, flat.shape.slotCount, flat);
+  }
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
-  const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
+  std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, settings.image));
+  shareMarks(scene, touched);
+  const PrimitiveMarks marks{std::move(touched),
                              coincidenceFlags(scene, coincidences.coincident, settings.image.integrator),
                              coincidences.behind};
   noteLights(table, marks.touched, flat.shape.features);
   flat.shape.behindReach = coincidences.behindReach;
   flat.shape.coincident = coincidentKinds(scene, marks.coincidence);
-  appendPrimitives(scene, order, table, marks, settings.image.layers.has(image::Layer::uv), flat);
+  appendPrimitives(scene, {order, std::move(instances.orders)}, table, marks,
+                   settings.image.layers.has(image::Layer::uv), flat);
+  if (plan.hasInstances()) appendInstances(scene, plan, instances, bounds.coincidentReach, flat);
   flat.shape.rowsAhead = limits.smallScene.rowsAhead;
   if (isList) copySlotRows(flat);
   const SurfaceOrder surfaces = orderSurfaces(scene);

@@ -1,6 +1,7 @@
 // Stores the light table of the path tracer as 16-byte records.
 #include <cmath>
 #include <span>
+#include <unordered_map>
 
 #include "host/scene/shape.h"
 #include "host/trace/flatten/flatten_sections.h"
@@ -39,10 +40,17 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
 }
 
-// Returns the slot of every primitive.
-std::vector<std::uint32_t> slotsOf(std::span<const std::uint32_t> order) {
-  std::vector<std::uint32_t> slots(order.size());
-  for (std::uint32_t slot = 0; slot < order.size(); ++slot) slots[order[slot]] = slot;
+// Returns the slots of the emitters of a table, by primitive.
+std::unordered_map<std::uint32_t, std::uint32_t> slotsOf(std::span<const LightEntry> table,
+                                                         std::span<const std::uint32_t> order) {
+  std::unordered_map<std::uint32_t, std::uint32_t> slots;
+  for (const LightEntry& entry : table) {
+    if (entry.isEmitter()) slots[entry.index] = gpu::kNoSlot;
+  }
+  for (std::uint32_t slot = 0; slot < order.size() && !slots.empty(); ++slot) {
+    const auto emitter = slots.find(order[slot]);
+    if (emitter != slots.end()) emitter->second = slot;
+  }
   return slots;
 }
 
@@ -52,7 +60,7 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
                   FlatScene& flat) {
   flat.constants.firstLightRow = rowCount(flat.rows);
   flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
-  const std::vector<std::uint32_t> slots = slotsOf(order);
+  const std::unordered_map<std::uint32_t, std::uint32_t> slots = slotsOf(table, order);
   Rows cones;
   for (const LightEntry& entry : table) {
     if (entry.isPoint()) {
@@ -67,7 +75,7 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
         cones.push_back(row(glm::dvec3(light.direction), double{light.versineOuter}));
       }
     } else {
-      appendEmitter(scene, entry, slots[entry.index], flat.rows);
+      appendEmitter(scene, entry, slots.at(entry.index), flat.rows);
     }
   }
   flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());

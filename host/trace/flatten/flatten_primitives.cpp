@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 #include "host/scene/coincidence/coincidence.h"
 #include "host/scene/shape.h"
@@ -20,14 +21,14 @@ glm::dvec3 sphereAnchor(const glm::dvec3& eye, const glm::dvec3& centre, double 
 }
 
 std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& context, std::uint32_t kindAndFlags) {
-  const scene::Primitive& primitive = scene.primitives[context.primitive];
+  const scene::Primitive& primitive = context.primitive;
   const std::uint32_t touched = context.touched ? gpu::kFlagTouched : 0;
   const std::uint32_t opaque = scene.materials[primitive.material].opaque ? gpu::kFlagOpaque : 0;
   return kindAndFlags | touched | opaque | context.coincidence | primitive.material << gpu::kMaterialShift;
 }
 
 std::uint32_t indexWord(const PrimitiveContext& context) {
-  return context.primitive | (context.behind ? gpu::kIndexBehind : 0);
+  return context.index | (context.behind ? gpu::kIndexBehind : 0);
 }
 
 void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
@@ -41,7 +42,7 @@ void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const P
 
 void appendShape(const scene::Triangle& triangle, const scene::Scene& scene, const PrimitiveContext& context,
                  Rows& rows, Rows& attributes) {
-  const scene::Primitive& primitive = scene.primitives[context.primitive];
+  const scene::Primitive& primitive = context.primitive;
   const std::uint32_t flags = attributeFlags(scene, context, primitive);
   const std::uint32_t passed = scene.materials[primitive.material].opacity ? gpu::kFlagTransparent : 0;
   const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
@@ -79,7 +80,7 @@ void appendShape(const scene::Plane& plane, const scene::Scene& scene, const Pri
 // `attributes`. A triangle refers to `attributes` by the index of a record within that section.
 void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes) {
   std::visit([&](const auto& shape) { appendShape(shape, scene, context, primitives, attributes); },
-             shapeOf(scene, scene.primitives[context.primitive]));
+             shapeOf(scene, context.primitive));
 }
 
 }  // namespace
@@ -93,28 +94,40 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
   rows[1] = row(k, rows[1].w);
 }
 
-void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
-                      std::span<const LightEntry> table, const PrimitiveMarks& marks, bool keepsTexCoords,
-                      FlatScene& flat) {
-  std::vector<std::uint32_t> lightOf(scene.primitives.size(), 0);
+void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::span<const LightEntry> table,
+                      const PrimitiveMarks& marks, bool keepsTexCoords, FlatScene& flat) {
+  std::unordered_map<std::uint32_t, std::uint32_t> lightOf;
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
   }
+  std::size_t slotCount = order.own.size();
+  for (const std::vector<std::uint32_t>& prototype : order.ofPrototypes) slotCount += prototype.size();
   // Vectors that grow would copy the records of large meshes several times. Memory beyond the part in use is never
   // touched.
-  const std::size_t attributeRows = order.size() * attributeRowsOf(flat.shape.features);
+  const std::size_t attributeRows = slotCount * attributeRowsOf(flat.shape.features);
   Rows attributes;
   attributes.reserve(attributeRows);
-  flat.rows.reserve(flat.rows.size() + order.size() * gpu::kPrimitiveRows + attributeRows);
+  flat.rows.reserve(flat.rows.size() + slotCount * gpu::kPrimitiveRows + attributeRows);
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
-  for (const std::uint32_t primitive : order) {
-    const PrimitiveContext context{.primitive = primitive,
-                                   .light = lightOf[primitive],
+  const auto append = [&](std::uint32_t primitive, const scene::Primitive& entry, std::uint32_t index) {
+    const auto light = lightOf.find(primitive);
+    const PrimitiveContext context{.primitive = entry,
+                                   .index = index,
+                                   .light = light == lightOf.end() ? 0 : light->second,
                                    .touched = marks.touched[primitive],
                                    .coincidence = marks.coincidence[primitive],
                                    .behind = marks.behind[primitive],
                                    .keepsTexCoords = keepsTexCoords};
     appendPrimitive(scene, context, flat.rows, attributes);
+  };
+  for (const std::uint32_t primitive : order.own) append(primitive, scene.primitives[primitive], primitive);
+  for (const std::vector<std::uint32_t>& prototype : order.ofPrototypes) {
+    const scene::PrimitiveRun& run = scene.primitives.runOf(prototype.front());
+    for (const std::uint32_t primitive : prototype) {
+      scene::Primitive entry = run.at(primitive);
+      entry.placement = scene::Primitive::kUnplaced;
+      append(primitive, entry, primitive - run.first);
+    }
   }
   flat.constants.firstAttributeRow = rowCount(flat.rows);
   flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());

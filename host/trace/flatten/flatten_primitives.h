@@ -13,7 +13,8 @@ namespace candela::flatten {
 
 /// Data about a primitive that its entry in the scene does not contain.
 struct PrimitiveContext {
-  std::uint32_t primitive = 0;    ///< index in Scene::primitives
+  scene::Primitive primitive;     ///< without its placement, if its instance is stored as such
+  std::uint32_t index = 0;        ///< in Scene::primitives; for an instance from its first primitive
   std::uint32_t light = 0;        ///< index in the light table + 1; 0: not in it
   bool touched = false;           ///< the surface may contain a light: touched_primitives.h
   std::uint32_t coincidence = 0;  ///< flags of a surface with which another one may coincide
@@ -51,11 +52,16 @@ std::uint32_t attributeFlags(const scene::Scene& scene, const PrimitiveContext& 
 void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
                       std::uint32_t flags, Rows& rows);
 
-/// Appends the records of the primitives in this order, followed by the attributes of their vertices, and sets the
-/// constants that refer to them. `table` is the light table, and `keepsTexCoords` as in PrimitiveContext.
-void appendPrimitives(const scene::Scene& scene, std::span<const std::uint32_t> order,
-                      std::span<const LightEntry> table, const PrimitiveMarks& marks, bool keepsTexCoords,
-                      FlatScene& flat);
+/// The primitives in the order of their slots.
+struct SlotOrder {
+  std::vector<std::uint32_t> own;                        ///< those that belong to no instance, and copies
+  std::vector<std::vector<std::uint32_t>> ofPrototypes;  ///< InstanceSlots::orders
+};
+
+/// Appends the records of the primitives, followed by the attributes of their vertices, and sets the constants that
+/// refer to them. `table` is the light table, and `keepsTexCoords` as in PrimitiveContext.
+void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::span<const LightEntry> table,
+                      const PrimitiveMarks& marks, bool keepsTexCoords, FlatScene& flat);
 
 /// Copies the records of slots to the uniform buffer.
 void copySlotRows(FlatScene& flat);

@@ -118,7 +118,8 @@ struct StructureChoices {
   BvhSplit bvhSplit = BvhSplit::sah;
   BuildQuality bvhQuality = BuildQuality::standard;  ///< of BvhSplit::sah only
   BvhLayout bvhLayout = BvhLayout::automatic;
-  float gridDensity = 2;  ///< m of a grid with about m^3 cells per primitive, in [1/16, 64]
+  float gridDensity = 2;         ///< m of a grid with about m^3 cells per primitive, in [1/16, 64]
+  bool copiesInstances = false;  ///< stores a copy of the mesh for each instance; for tests
 
   bool operator==(const StructureChoices&) const = default;
 };

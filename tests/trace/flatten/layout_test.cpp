@@ -118,7 +118,11 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, environmentY),
                                                        MEMBER(RenderConstants, environmentHeight),
                                                        MEMBER(RenderConstants, environmentZ),
-                                                       MEMBER(RenderConstants, firstEnvironmentRow)});
+                                                       MEMBER(RenderConstants, firstEnvironmentRow),
+                                                       MEMBER(RenderConstants, firstInstanceRow),
+                                                       MEMBER(RenderConstants, topNode),
+                                                       MEMBER(RenderConstants, unused0),
+                                                       MEMBER(RenderConstants, unused1)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
@@ -129,7 +133,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                 MEMBER(DispatchConstants, firstColumn)});
   CHECK(module.offsetsOf("PathState") == Offsets{MEMBER(PathState, originPdf), MEMBER(PathState, directionAndSlot),
                                                  MEMBER(PathState, throughputDepth), MEMBER(PathState, radianceSample),
-                                                 MEMBER(PathState, counts)});
+                                                 MEMBER(PathState, counts), MEMBER(PathState, instances)});
   CHECK(module.offsetsOf("PathCounts") == Offsets{MEMBER(PathCounts, bounceRays), MEMBER(PathCounts, shadowRays),
                                                   MEMBER(PathCounts, vertices), MEMBER(PathCounts, steps)});
   CHECK(module.offsetsOf("FilmRows") == Offsets{MEMBER(FilmRows, red), MEMBER(FilmRows, green), MEMBER(FilmRows, blue),
