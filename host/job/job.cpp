@@ -70,7 +70,7 @@ void requirePossible(const scene::Scene& scene, const render::RenderSettings& se
   requirePixelLimit(settings.image.size);
   requireCropWithin(settings.image);
   requireAdaptable(settings.image, film);
-  requireMemoryForRender(scene, settings.image, makesPictures);
+  requireMemoryForRender(scene, settings.image, settings.structure, makesPictures);
 }
 
 }  // namespace candela::job

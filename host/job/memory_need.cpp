@@ -7,6 +7,7 @@
 #include "host/base/setting_words.h"
 #include "host/image/film.h"
 #include "host/scene/memory.h"
+#include "host/scene/stored_primitives.h"
 
 namespace candela::job {
 namespace {
@@ -16,6 +17,20 @@ namespace {
 constexpr std::uint64_t kBuildBytesPerPrimitive = 300;
 // Colour, variance and two counts, and an EXR file with all of them, before compression.
 constexpr std::uint64_t kPictureBytesPerPixel = 2 * (sizeof(glm::vec3) + 3 * sizeof(float));
+
+// Returns the number of primitives that a structure stores: those of instances once, if it has two levels.
+std::uint64_t structureSize(const scene::Scene& scene, const render::StructureSettings& structure) {
+  const bool hasLevels = structure.accel == render::AccelKind::bvh && structure.bvhLayout != render::BvhLayout::bvh2 &&
+                         !structure.copiesInstances;
+  if (!hasLevels) return scene.primitives.size();
+  const scene::StoredPrimitives stored(scene.primitives);
+  const std::span<const scene::PrimitiveRun> runs = scene.primitives.runs();
+  std::uint64_t size = 0;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (stored.isFirst(run) || !isInstance(scene, runs[run])) size += scene.primitives.countOf(runs[run]);
+  }
+  return size;
+}
 
 bool isMostlyPixels(const MemoryNeed& need) { return need.pixels() > need.scene + need.structure; }
 
@@ -27,12 +42,13 @@ std::string remedyFor(const MemoryNeed& need) {
 
 }  // namespace
 
-MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures) {
+MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& image,
+                        const render::StructureSettings& structure, bool makesPictures) {
   const render::Window window = image.window();
   const std::uint64_t pixels = std::uint64_t{window.width} * window.height;
   MemoryNeed need;
   need.scene = scene::memoryOf(scene).total;
-  need.structure = scene.primitives.size() * kBuildBytesPerPrimitive;
+  need.structure = structureSize(scene, structure) * kBuildBytesPerPrimitive;
   const std::uint64_t layerRows = image::layerRowCount(image::layerSumsOf(image.layers));
   need.film = pixels * (sizeof(image::FilmPixel) + layerRows * sizeof(image::LayerRow));
   const std::uint64_t layerBytes = 2 * layerRows * sizeof(float);
@@ -40,8 +56,9 @@ MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& 
   return need;
 }
 
-void requireMemoryForRender(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures) {
-  const MemoryNeed need = memoryNeedOf(scene, image, makesPictures);
+void requireMemoryForRender(const scene::Scene& scene, const render::ImageSettings& image,
+                            const render::StructureSettings& structure, bool makesPictures) {
+  const MemoryNeed need = memoryNeedOf(scene, image, structure, makesPictures);
   const render::Extent size = image.window().extent();
   requireMemory(fmt::format("{}: rendering {} primitives to {}x{} pixels", scene.name, scene.primitives.size(),
                             size.width, size.height),

@@ -18,9 +18,11 @@ struct MemoryNeed {
   std::uint64_t total() const { return scene + structure + pixels(); }
 };
 
-MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures);
+MemoryNeed memoryNeedOf(const scene::Scene& scene, const render::ImageSettings& image,
+                        const render::StructureSettings& structure, bool makesPictures);
 
 /// Throws OutOfMemoryError, with the sizes and a remedy, if that exceeds the memory budget.
-void requireMemoryForRender(const scene::Scene& scene, const render::ImageSettings& image, bool makesPictures);
+void requireMemoryForRender(const scene::Scene& scene, const render::ImageSettings& image,
+                            const render::StructureSettings& structure, bool makesPictures);
 
 }  // namespace candela::job

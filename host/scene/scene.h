@@ -168,6 +168,16 @@ inline Triangle triangleOf(const Scene& scene, const Primitive& triangle) {
   return {{placedPoint(placement, p0), placedPoint(placement, p1), placedPoint(placement, p2)}};
 }
 
+/// Tracers copy meshes of fewer triangles, since traversing an instance costs more.
+inline constexpr std::uint32_t kMinInstanceTriangles = 64;
+
+/// Returns whether tracers traverse a run of Scene::primitives as an instance, where their structure permits it. They
+/// copy small meshes, and emitters, to which lights refer.
+inline bool isInstance(const Scene& scene, const PrimitiveRun& run) {
+  return run.start.isPlaced() && scene.primitives.countOf(run) >= kMinInstanceTriangles &&
+         !isEmissive(scene.materials[run.start.material]);
+}
+
 /// Returns whether the primitive is a triangle whose vertices have normals.
 inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();

@@ -141,7 +141,7 @@ void addTangents(Geometry& geometry, const scene::TextureReference& texture) {
   }
 }
 
-constexpr std::size_t kMaxTriangles = (std::size_t{1} << 27) - 1;  // acceleration structures index no more
+constexpr std::size_t kMaxTriangles = (std::size_t{1} << 31) - 1;  // primitive indices count no more
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   return sizeof(scene::Mesh) + mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +

@@ -64,7 +64,8 @@ std::uint32_t maxGridSideFor(std::uint32_t limit, const vulkan::DeviceInfo& info
 LoopBudget loopBudget(std::uint32_t limit, const vulkan::DeviceInfo& info, const flatten::SceneShape& shape,
                       std::uint32_t raysPerSegment) {
   if (limit == vulkan::kUnlimitedIterations) return {0xffffffffu, 0xffffffffu};
-  if (shape.structure != gpu::kStructureNone) return {limit / 4, limit / (2 * subgroupSizeOf(info))};
+  const bool hasNodes = shape.structure != gpu::kStructureNone || shape.features.instances;
+  if (hasNodes) return {limit / 4, limit / (2 * subgroupSizeOf(info))};
   const std::uint64_t segments = bruteForceSegments(limit, shape.slotCount, raysPerSegment);
   if (segments > 0) return {static_cast<std::uint32_t>(segments), 0xffffffffu};
   throw FileError(fmt::format(

@@ -23,7 +23,12 @@ namespace {
 
 constexpr std::uint32_t kMaxSlots = 1u << 27;  // limit of a packed stack word
 
-void checkSlotCount(const scene::Scene& scene, std::size_t count) {
+void checkSlotCount(const scene::Scene& scene, const InstancePlan& plan) {
+  const std::span<const scene::PrimitiveRun> runs = scene.primitives.runs();
+  std::size_t count = plan.triangleCount;
+  for (std::size_t run = 0; run < runs.size(); ++run) {
+    if (!plan.hasInstances() || !plan.isInstance[run]) count += scene.primitives.countOf(runs[run]);
+  }
   if (count < kMaxSlots) return;
   throw FileError(fmt::format("{}: {} primitives; at most {} are supported", scene.name, count, kMaxSlots - 1));
 }
@@ -102,9 +107,9 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   shareMarks(scene, coincidences.coincident);
   shareMarks(scene, coincidences.behind);
   const InstancePlan plan = planInstances(scene, coincidences, settings);
+  checkSlotCount(scene, plan);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident, plan.isInstance,
                                                            plan.coincidentReach);
-  checkSlotCount(scene, bounds.finite.size() + bounds.infinite.size() + plan.triangleCount);
   const bool small = isSmall(scene, coincidences.coincident, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
   if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);

@@ -16,8 +16,6 @@
 namespace candela::flatten {
 namespace {
 
-// Below this number of triangles, the traversal of a second BVH costs more than copies.
-constexpr std::uint32_t kMinTriangles = 64;
 constexpr std::size_t kMinUses = 2;
 // Number of parts of a mesh whose boxes are placed to bound an instance.
 constexpr std::size_t kBoundedParts = 64;
@@ -128,8 +126,8 @@ InstancePlan planInstances(const scene::Scene& scene, const scene::Coincidences&
   std::map<PrototypeKey, Prototype> candidates;
   for (std::uint32_t i = 0; i < runsOf(scene).size(); ++i) {
     const scene::PrimitiveRun& run = runsOf(scene)[i];
+    if (!isInstance(scene, run)) continue;
     const std::uint32_t count = scene.primitives.countOf(run);
-    if (!run.start.isPlaced() || count < kMinTriangles || isEmissive(scene.materials[run.start.material])) continue;
     Prototype& prototype = candidates[{run.start.mesh, run.start.index, count, run.start.material}];
     prototype.uses.push_back(i);
     prototype.triangleCount = count;

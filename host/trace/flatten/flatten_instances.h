@@ -26,8 +26,8 @@ struct InstancePlan {
   bool hasInstances() const { return !prototypes.empty(); }
 };
 
-/// Meshes of few triangles are copied, as are emitters, which the light table refers to. Grids, binary BVHs and lists
-/// have no instances.
+/// Besides the runs that scene::isInstance() excludes, those whose triangles no other run shows with their material are
+/// copied. Grids, binary BVHs and lists have no instances.
 InstancePlan planInstances(const scene::Scene& scene, const scene::Coincidences& coincidences,
                            const render::RenderSettings& settings);
 
