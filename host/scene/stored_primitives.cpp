@@ -1,6 +1,7 @@
 // Finds runs that share their primitives.
 #include "host/scene/stored_primitives.h"
 
+#include <algorithm>
 #include <map>
 #include <tuple>
 
@@ -19,7 +20,9 @@ StoredPrimitives::StoredPrimitives(const PrimitiveList& primitives) : primitives
     }
     firsts_.push_back(first);
     isFirst_.push_back(isNew);
-    if (isNew) count_ += size;
+    if (!isNew) continue;
+    stored_.push_back(firsts_.size() - 1);
+    count_ += size;
   }
 }
 
@@ -27,6 +30,12 @@ std::uint32_t StoredPrimitives::indexOf(std::uint32_t primitive) const {
   const PrimitiveRun& run = primitives_->runOf(primitive);
   const auto index = static_cast<std::size_t>(&run - primitives_->runs().data());
   return firsts_[index] + (primitive - run.first);
+}
+
+std::uint32_t StoredPrimitives::primitiveOf(std::uint32_t number) const {
+  const auto isBefore = [this](std::uint32_t index, std::size_t run) { return index < firsts_[run]; };
+  const std::size_t run = *(std::upper_bound(stored_.begin(), stored_.end(), number, isBefore) - 1);
+  return primitives_->runs()[run].first + (number - firsts_[run]);
 }
 
 }  // namespace candela::scene

@@ -19,6 +19,8 @@ class StoredPrimitives {
   std::uint32_t count() const { return count_; }
   /// Returns the number, below count(), of the primitive of a list.
   std::uint32_t indexOf(std::uint32_t primitive) const;
+  /// Returns the lowest index in the list of a primitive with a number.
+  std::uint32_t primitiveOf(std::uint32_t number) const;
   /// Returns the number of the first primitive of a run of the list, by the index of the run.
   std::uint32_t firstOf(std::size_t run) const { return firsts_[run]; }
   /// Returns whether no earlier run has the primitives of a run.
@@ -28,6 +30,7 @@ class StoredPrimitives {
   const PrimitiveList* primitives_;
   std::vector<std::uint32_t> firsts_;  ///< by run
   std::vector<bool> isFirst_;          ///< by run
+  std::vector<std::size_t> stored_;    ///< the runs for which isFirst() is true
   std::uint32_t count_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "host/base/run_on_threads.h"
 
@@ -91,6 +92,74 @@ class BoxTree::Search {
   const PairVisitor& visit_;
   std::array<Pair, 512> pairs_;
   std::size_t count_ = 0;
+  std::uint64_t work_ = 0;
+};
+
+// Compares nodes and items of two trees in the space to which their boxes are mapped.
+class BoxTree::MappedSearch {
+ public:
+  using Visitor = std::function<void(std::uint32_t, std::uint32_t)>;
+
+  MappedSearch(WorkLimit& limit, const Visitor& visit) : limit_(limit), visit_(visit) {}
+  ~MappedSearch() { limit_.add(work_); }
+
+  void run(const BoxTree& a, const BoxMap& mapOfA, const BoxTree& b, const BoxMap& mapOfB) {
+    between(Part(a, mapOfA), Part(b, mapOfB));
+  }
+
+ private:
+  // A node or an item of a tree. The parts of a leaf are its items.
+  class Part {
+   public:
+    Part(const BoxTree& tree, const BoxMap& map) : Part(tree, map, &tree.nodes_[0], tree.nodes_[0], 0) {}
+
+    const ItemBox& box() const { return box_; }
+    bool isItem() const { return !node_; }
+    // The longest side, by which the larger one of two parts is divided; that of items is less than any other.
+    float size() const {
+      const glm::vec3 sides = box_.high - box_.low;
+      return isItem() ? -1 : std::max({sides.x, sides.y, sides.z});
+    }
+    template <class Visit>
+    void forEachPart(const Visit& visit) const {
+      if (node_->isLeaf()) {
+        for (std::uint32_t i = node_->begin; i < node_->end; ++i) {
+          visit(Part(*tree_, *map_, nullptr, tree_->boxes_[i], tree_->boxes_[i].item));
+        }
+      } else {
+        for (const std::uint32_t child : {node_->children, node_->children + 1}) {
+          visit(Part(*tree_, *map_, &tree_->nodes_[child], tree_->nodes_[child], 0));
+        }
+      }
+    }
+
+   private:
+    template <class Boxed>
+    Part(const BoxTree& tree, const BoxMap& map, const Node* node, const Boxed& box, std::uint32_t item)
+        : tree_(&tree), map_(&map), node_(node), box_{box.low, box.high, item} {
+      map(box_.low, box_.high);
+    }
+
+    const BoxTree* tree_;
+    const BoxMap* map_;
+    const Node* node_;  // null: an item
+    ItemBox box_;
+  };
+
+  void between(const Part& a, const Part& b) {
+    if (++work_ > kMaxUncountedWork) limit_.add(std::exchange(work_, 0));
+    if (!overlap(a.box(), b.box()) || limit_.isExceeded()) return;
+    if (a.isItem() && b.isItem()) {
+      visit_(a.box().item, b.box().item);
+    } else if (a.size() >= b.size()) {
+      a.forEachPart([&](const Part& part) { between(part, b); });
+    } else {
+      b.forEachPart([&](const Part& part) { between(a, part); });
+    }
+  }
+
+  WorkLimit& limit_;
+  const Visitor& visit_;
   std::uint64_t work_ = 0;
 };
 
@@ -221,6 +290,12 @@ void BoxTree::visitItems(WorkLimit& limit, const BoxTest& passes,
     work += node.count();
   }
   limit.add(8 * work);
+}
+
+void BoxTree::visitPairsWith(const BoxTree& other, const BoxMap& ownMap, const BoxMap& otherMap, WorkLimit& limit,
+                             const std::function<void(std::uint32_t own, std::uint32_t other)>& visit) const {
+  if (boxes_.empty() || other.boxes_.empty()) return;
+  MappedSearch(limit, visit).run(*this, ownMap, other, otherMap);
 }
 
 }  // namespace candela::scene

@@ -14,13 +14,18 @@ namespace candela::scene {
 /// A limit of the work of several threads. Whether the work is within it does not depend on their order.
 class WorkLimit {
  public:
-  explicit WorkLimit(std::uint64_t limit) : limit_(limit) {}
+  /// The work counts for `whole`, too, if it is not null.
+  explicit WorkLimit(std::uint64_t limit, WorkLimit* whole = nullptr) : limit_(limit), whole_(whole) {}
 
-  void add(std::uint64_t work) { done_.fetch_add(work, std::memory_order_relaxed); }
-  bool isExceeded() const { return done_.load(std::memory_order_relaxed) > limit_; }
+  void add(std::uint64_t work) {
+    done_.fetch_add(work, std::memory_order_relaxed);
+    if (whole_) whole_->add(work);
+  }
+  bool isExceeded() const { return done_.load(std::memory_order_relaxed) > limit_ || (whole_ && whole_->isExceeded()); }
 
  private:
   std::uint64_t limit_;
+  WorkLimit* whole_;
   std::atomic<std::uint64_t> done_ = 0;
 };
 
@@ -38,6 +43,8 @@ class BoxTree {
   /// Receives pairs; `thread` is below the number of threads.
   using PairVisitor = std::function<void(std::uint32_t thread, std::span<const Pair> pairs)>;
   using BoxTest = std::function<bool(const glm::vec3& low, const glm::vec3& high)>;
+  /// Replaces a box of the tree by one in the space in which it is compared with those of another tree.
+  using BoxMap = std::function<void(glm::vec3& low, glm::vec3& high)>;
 
   BoxTree(std::vector<ItemBox> boxes, std::uint32_t threadCount);
 
@@ -47,6 +54,15 @@ class BoxTree {
 
   /// Visits the items whose box, and all boxes around it, pass the test. Each test is eight units of work.
   void visitItems(WorkLimit& limit, const BoxTest& passes, const std::function<void(std::uint32_t)>& visit) const;
+
+  /// Visits each pair of an item of this tree and one of another tree whose boxes overlap once both are mapped, and so
+  /// are all boxes around them. A comparison of two boxes is a unit of work; a visitor adds its own.
+  void visitPairsWith(const BoxTree& other, const BoxMap& ownMap, const BoxMap& otherMap, WorkLimit& limit,
+                      const std::function<void(std::uint32_t own, std::uint32_t other)>& visit) const;
+
+  std::size_t size() const { return boxes_.size(); }
+  /// Returns the box around all items, of which there must be one at least.
+  ItemBox bounds() const { return {nodes_[0].low, nodes_[0].high}; }
 
  private:
   static constexpr std::uint32_t kLeafSize = 6;
@@ -64,6 +80,7 @@ class BoxTree {
     std::uint32_t a, b;
   };
   class Search;
+  class MappedSearch;
 
   void buildSubtree(std::uint32_t root);
   void split(std::uint32_t index);

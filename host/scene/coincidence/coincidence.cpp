@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <functional>
 #include <span>
-#include <utility>
 
 #include "host/base/run_on_threads.h"
 #include "host/scene/coincidence/box_tree.h"
-#include "host/scene/coincidence/flat_surface.h"
+#include "host/scene/coincidence/flat_surfaces.h"
+#include "host/scene/coincidence/instance_contacts.h"
 #include "host/scene/shape.h"
 
 namespace candela::scene {
@@ -22,61 +22,6 @@ constexpr std::uint64_t kWorkOfTest = 16;     // of a call of overlapInPlane()
 constexpr std::uint64_t kWorkOfOverlap = 32;  // of a pair that is stored
 
 using Overlaps = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
-
-// The flat surfaces of all primitives other than copies.
-class FlatSurfaces {
- public:
-  FlatSurfaces(const Scene& scene, std::span<const std::uint32_t> firstCopy, std::uint32_t threadCount) {
-    std::vector<std::size_t> first(firstCopy.size());  // index of the first part of each primitive
-    std::size_t count = 0;
-    for (std::uint32_t i = 0; i < firstCopy.size(); ++i) {
-      first[i] = count;
-      if (firstCopy[i] == i) count += partCount(scene.primitives[i]);
-    }
-    surfaces_ = std::make_unique_for_overwrite<FlatSurface[]>(count);
-    boxes_.resize(count, {{}, {}, kNone});
-    forEachBlock(threadCount, firstCopy.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        if (firstCopy[i] == i) store(scene, static_cast<std::uint32_t>(i), first[i]);
-      }
-    });
-    std::erase_if(boxes_, [](const ItemBox& box) { return box.item == kNone; });
-    storePlanes(scene, firstCopy);
-  }
-
-  const FlatSurface& operator[](std::uint32_t index) const { return surfaces_[index]; }
-  std::vector<ItemBox> takeBoxes() { return std::move(boxes_); }
-  std::span<const FlatSurface> infinite() const { return infinite_; }
-
- private:
-  static constexpr std::uint32_t kNone = ~0u;
-
-  static std::size_t partCount(const Primitive& primitive) {
-    return primitive.kind == PrimitiveKind::plane ? 0 : flatPartCount(primitive.kind);
-  }
-
-  void store(const Scene& scene, std::uint32_t primitive, std::size_t first) {
-    const std::size_t count = partCount(scene.primitives[primitive]);
-    if (count == 0) return;
-    const std::span<FlatSurface> parts(&surfaces_[first], count);
-    const std::size_t stored = storeFlatParts(shapeOf(scene, scene.primitives[primitive]), primitive, parts);
-    for (std::size_t i = first; i < first + stored; ++i) {
-      boxes_[i] = boxOf(surfaces_[i], static_cast<std::uint32_t>(i));
-    }
-  }
-
-  void storePlanes(const Scene& scene, std::span<const std::uint32_t> firstCopy) {
-    for (std::uint32_t i = 0; i < firstCopy.size(); ++i) {
-      if (firstCopy[i] != i || scene.primitives[i].kind != PrimitiveKind::plane) continue;
-      infinite_.emplace_back();
-      storeFlatParts(shapeOf(scene, scene.primitives[i]), i, std::span(infinite_).last(1));
-    }
-  }
-
-  std::unique_ptr<FlatSurface[]> surfaces_;
-  std::vector<ItemBox> boxes_;
-  std::vector<FlatSurface> infinite_;
-};
 
 // Compares surfaces on several threads, each of which has a list of its own.
 class Comparison {
@@ -132,16 +77,6 @@ class Comparison {
   std::vector<Overlaps> found_;
 };
 
-void markCoincident(const Scene& scene, Coincidences& result) {
-  const auto count = static_cast<std::uint32_t>(result.firstCopy.size());
-  result.coincident.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (result.firstCopy[i] != i) result.coincident[result.firstCopy[i]] = result.coincident[i] = true;
-    if (result.truncated && flatPartCount(scene.primitives[i].kind) > 0) result.coincident[i] = true;
-  }
-  for (const auto& [a, b] : result.overlaps) result.coincident[a] = result.coincident[b] = true;
-}
-
 struct LargestCoordinate {
   float operator()(const Sphere& s) const { return reachOf(std::array{s.centre}) + std::abs(s.radius); }
   float operator()(const Triangle& t) const { return reachOf(t.p); }
@@ -152,51 +87,175 @@ struct LargestCoordinate {
   float operator()(const Plane& plane) const { return reachOf(std::array{plane.p[0]}); }
 };
 
-// Marks surfaces that are behind emitters. Copies share the marks that their first copy has.
-void markBehind(const Scene& scene, Coincidences& result) {
-  const auto count = static_cast<std::uint32_t>(result.firstCopy.size());
-  result.behind.resize(count);
-  std::vector<bool> emits(count), isInvolved(count);  // by first copy
-  const auto emitsItself = [&](std::uint32_t i) { return isEmissive(scene.materials[scene.primitives[i].material]); };
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (emitsItself(i)) emits[result.firstCopy[i]] = true;
+// Marks primitives, by what is known of pairs.
+class Marking {
+ public:
+  // `firstCopy`: result of firstUnplacedCopies().
+  Marking(const Scene& scene, const StoredPrimitives& stored, std::span<const std::uint32_t> firstCopy,
+          const InstanceContacts& instances, Coincidences& result)
+      : scene_(scene),
+        runs_(scene.primitives.runs()),
+        stored_(stored),
+        firstCopy_(firstCopy),
+        instances_(instances),
+        result_(result) {}
+
+  void markCoincident() {
+    std::vector<bool>& marks = result_.coincident;
+    marks.resize(stored_.count());
+    forEachPair(
+        [&](std::uint32_t a, std::uint32_t b) { marks[stored_.indexOf(a)] = marks[stored_.indexOf(b)] = true; });
+    const auto mark = [&](std::uint32_t number) { marks[number] = true; };
+    for (const auto& [a, b] : instances_.copiedRuns) forEachFlat(a, mark);
+    for (const auto& [a, b] : instances_.unsearched) forEachFlat(a, mark), forEachFlat(b, mark);
+    std::ranges::for_each(instances_.uncertain, mark);
+    for (std::uint32_t run = 0; result_.truncated && run < runs_.size(); ++run) {
+      if (stored_.isFirst(run)) forEachFlat(run, mark);
+    }
   }
-  if (std::ranges::count(emits, true) == 0) return;
-  std::vector<bool> holdsEmitter = emits;
-  for (const auto& [a, b] : result.overlaps) {
-    if (emits[a]) holdsEmitter[b] = true;
-    if (emits[b]) holdsEmitter[a] = true;
+
+  // Copies share the marks that their first copy has.
+  void markBehind() {
+    result_.behind.resize(stored_.count());
+    noteEmitters();
+    if (std::ranges::count(emits_, true) == 0) return;
+    std::vector<bool> holdsEmitter = emits_;
+    forEachPair([&](std::uint32_t a, std::uint32_t b) {
+      if (emits_[copyOf(a)]) holdsEmitter[copyOf(b)] = true;
+      if (emits_[copyOf(b)]) holdsEmitter[copyOf(a)] = true;
+    });
+    const auto hold = [&](std::uint32_t number) { holdsEmitter[firstCopy_[number]] = true; };
+    for (const auto& [a, b] : instances_.unsearched) {
+      if (hasEmitter(a)) forEachFlat(b, hold);
+      if (hasEmitter(b)) forEachFlat(a, hold);
+    }
+    for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+      if (!stored_.isFirst(run) || !isDark_[stored_.firstOf(run)]) continue;
+      forEach(run, [&](std::uint32_t number) { result_.behind[number] = holdsEmitter[firstCopy_[number]]; });
+    }
+    noteReach();
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    result.behind[i] = holdsEmitter[result.firstCopy[i]] && !emitsItself(i);
-    if (result.behind[i]) isInvolved[result.firstCopy[i]] = true;
+
+ private:
+  bool isUnplaced(std::uint32_t run) const { return !runs_[run].start.isPlaced(); }
+
+  // Returns the number of the first copy of a primitive.
+  std::uint32_t copyOf(std::uint32_t primitive) const { return firstCopy_[stored_.indexOf(primitive)]; }
+
+  void forEachPair(const std::function<void(std::uint32_t a, std::uint32_t b)>& visit) const {
+    for (const auto& [a, b] : result_.overlaps) visit(a, b);
+    for (const auto& [a, b] : result_.copies) visit(a, b);
   }
-  for (const auto& [a, b] : result.overlaps) {
-    if (isInvolved[a] && emits[b]) isInvolved[b] = true;
-    if (isInvolved[b] && emits[a]) isInvolved[a] = true;
+
+  // Visits the numbers of the primitives of a run, which may be kUnplacedRuns.
+  template <class Visit>
+  void forEach(std::uint32_t run, const Visit& visit) const {
+    if (run == kUnplacedRuns) {
+      for (std::uint32_t i = 0; i < runs_.size(); ++i) {
+        if (isUnplaced(i)) forEach(i, visit);
+      }
+      return;
+    }
+    const std::uint32_t first = stored_.firstOf(run), count = scene_.primitives.countOf(runs_[run]);
+    for (std::uint32_t number = first; number < first + count; ++number) visit(number);
   }
-  for (std::uint32_t i = 0; i < count; ++i) {
-    if (!isInvolved[i]) continue;
-    const float reach = std::visit(LargestCoordinate(), shapeOf(scene, scene.primitives[i]));
-    result.behindReach = std::max(result.behindReach, reach);
+
+  template <class Visit>
+  void forEachFlat(std::uint32_t run, const Visit& visit) const {
+    forEach(run, [&](std::uint32_t number) {
+      if (flatPartCount(scene_.primitives[stored_.primitiveOf(number)].kind) > 0) visit(number);
+    });
   }
-}
+
+  bool hasEmitter(std::uint32_t run) const {
+    bool has = false;
+    forEach(run, [&](std::uint32_t number) { has = has || emits_[firstCopy_[number]]; });
+    return has;
+  }
+
+  // Instances share what is known of their materials, too.
+  void noteEmitters() {
+    std::vector<bool> emits(stored_.count());
+    isDark_.resize(stored_.count());
+    for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+      (isEmissive(scene_.materials[runs_[run].start.material]) ? emits : isDark_)[stored_.firstOf(run)] = true;
+    }
+    emits_.resize(stored_.count());
+    for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+      if (!stored_.isFirst(run) || !emits[stored_.firstOf(run)]) continue;
+      forEach(run, [&](std::uint32_t number) { emits_[firstCopy_[number]] = true; });
+    }
+  }
+
+  void noteReach() {
+    std::vector<bool> isInvolved(stored_.count());
+    for (std::uint32_t number = 0; number < stored_.count(); ++number) {
+      if (result_.behind[number]) isInvolved[firstCopy_[number]] = true;
+    }
+    forEachPair([&](std::uint32_t a, std::uint32_t b) {
+      if (isInvolved[copyOf(a)] && emits_[copyOf(b)]) isInvolved[copyOf(b)] = true;
+      if (isInvolved[copyOf(b)] && emits_[copyOf(a)]) isInvolved[copyOf(a)] = true;
+    });
+    const auto involve = [&](std::uint32_t number) {
+      if (emits_[number]) isInvolved[number] = true;
+    };
+    for (const auto& [a, b] : instances_.unsearched) forEach(a, involve), forEach(b, involve);
+    std::vector<bool> hasInvolved(stored_.count());  // by the number of a run's first primitive
+    for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+      if (!stored_.isFirst(run)) continue;
+      forEach(run, [&](std::uint32_t number) {
+        if (!isInvolved[number]) return;
+        hasInvolved[stored_.firstOf(run)] = true;
+        if (isUnplaced(run)) include(reachOf(stored_.primitiveOf(number)));
+      });
+    }
+    for (std::uint32_t run = 0; run < runs_.size(); ++run) {
+      if (!isUnplaced(run) && hasInvolved[stored_.firstOf(run)]) include(instances_.reaches[run]);
+    }
+  }
+
+  float reachOf(std::uint32_t primitive) const {
+    return std::visit(LargestCoordinate(), shapeOf(scene_, scene_.primitives[primitive]));
+  }
+  void include(float reach) { result_.behindReach = std::max(result_.behindReach, reach); }
+
+  const Scene& scene_;
+  std::span<const PrimitiveRun> runs_;
+  const StoredPrimitives& stored_;
+  std::span<const std::uint32_t> firstCopy_;
+  const InstanceContacts& instances_;
+  Coincidences& result_;
+  std::vector<bool> emits_;   // by first copy: whether a copy emits in some instance
+  std::vector<bool> isDark_;  // by the number of a run's first primitive: whether it does not emit in some instance
+};
 
 }  // namespace
 
 Coincidences findCoincidences(const Scene& scene, std::uint32_t threads) {
   const std::uint32_t threadCount = threadCountFor(threads);
-  Coincidences result;
-  result.firstCopy = firstCopies(scene, threadCount);
-  FlatSurfaces surfaces(scene, result.firstCopy, threadCount);
+  const StoredPrimitives stored(scene.primitives);
+  const std::vector<std::uint32_t> firstCopy = firstUnplacedCopies(scene, stored, threadCount);
+  FlatSurfaces surfaces(scene, stored, firstCopy, threadCount);
   const BoxTree tree(surfaces.takeBoxes(), threadCount);
   Comparison comparison(surfaces, tree, threadCount);
   comparison.compareFinite();
   comparison.compareInfinite();
-  result.truncated = comparison.isTruncated();
-  if (!result.truncated) result.overlaps = comparison.take();
-  markCoincident(scene, result);
-  markBehind(scene, result);
+  const InstanceContacts instances = findInstanceContacts(scene, stored, surfaces, tree, threadCount);
+  Coincidences result;
+  for (std::uint32_t number = 0; number < firstCopy.size(); ++number) {
+    if (firstCopy[number] == number) continue;
+    result.copies.emplace_back(stored.primitiveOf(firstCopy[number]), stored.primitiveOf(number));
+  }
+  result.copies.insert(result.copies.end(), instances.copies.begin(), instances.copies.end());
+  result.copiedRuns = instances.copiedRuns;
+  result.truncated = comparison.isTruncated() || instances.truncated;
+  if (!result.truncated) {
+    result.overlaps = comparison.take();
+    result.overlaps.insert(result.overlaps.end(), instances.overlaps.begin(), instances.overlaps.end());
+  }
+  Marking marking(scene, stored, firstCopy, instances, result);
+  marking.markCoincident();
+  marking.markBehind();
   return result;
 }
 

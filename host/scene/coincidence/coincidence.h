@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/scene/stored_primitives.h"
 
 namespace candela::scene {
 
@@ -21,25 +22,42 @@ Cone withSortedEnds(Cone cone);
 /// With 0 threads, there is one per core.
 std::vector<std::uint32_t> firstCopies(const Scene& scene, std::uint32_t threads = 0);
 
-/// Surfaces that coincide. Indices are those of Scene::primitives.
+/// Returns for each number in StoredPrimitives that of the first copy, as firstCopies() does, among the primitives that
+/// belong to no instance. A triangle of an instance has its own number.
+std::vector<std::uint32_t> firstUnplacedCopies(const Scene& scene, const StoredPrimitives& stored,
+                                               std::uint32_t threads = 0);
+
+/// Surfaces that coincide. Instances count as their triangles in the space of the scene. Marks are by number in
+/// StoredPrimitives: a mark of an instance's triangle holds if it holds in any instance.
 struct Coincidences {
-  std::vector<std::uint32_t> firstCopy;  ///< result of firstCopies()
+  using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+  /// Primitives (a, b), a < b, with the same shape. Of primitives that belong to no instance, a is firstCopies() of b.
+  std::vector<Pair> copies;
   /// Pairs (a, b), a < b, of flat primitives other than copies that lie in one plane and overlap in more than an edge:
-  /// triangles, faces of boxes, and planes. Copies of a and b are not listed again.
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> overlaps;
-  /// For each primitive whether another one is a copy of it or overlaps it in one plane.
+  /// triangles, faces of boxes, and planes. Copies of a and b are not listed again, and triangles of one mesh are
+  /// listed for one instance.
+  std::vector<Pair> overlaps;
+  /// Runs (a, b) of Scene::primitives, a < b, that are copies: instances with equal triangles and placements. Their
+  /// primitives are not among `copies`.
+  std::vector<Pair> copiedRuns;
+  /// Whether another primitive is a copy of it or overlaps it in one plane. It holds also where it would take too many
+  /// comparisons to decide.
   std::vector<bool> coincident;
   /// Whether the search ended before all pairs were compared. `overlaps` is then empty, and `coincident` is true for
   /// every flat primitive. It depends on the scene alone.
   bool truncated = false;
-  /// For each primitive whether it does not emit, and an emitter is a copy of it or overlaps it in one plane.
+  /// Whether it does not emit, and an emitter is a copy of it or overlaps it in one plane. A triangle that emits in
+  /// some instances has the mark of the others.
   std::vector<bool> behind;
-  /// The largest coordinate of all surfaces that are behind and of their emitters; 0 if there are none.
+  /// The largest coordinate of all surfaces that are behind and of their emitters; 0 if there are none. An instance
+  /// with such a triangle counts with the box around it.
   float behindReach = 0;
 };
 
-/// Searches in O(n log n) for meshes in which few boxes of triangles overlap; the work is limited. With 0 threads,
-/// there is one per core. The result does not depend on their number.
+/// Searches in O(n log n), where n is what the scene stores, for meshes in which few boxes of triangles overlap, and
+/// instances of which few are in contact; the work is limited. With 0 threads, there is one per core. The result does
+/// not depend on their number.
 Coincidences findCoincidences(const Scene& scene, std::uint32_t threads = 0);
 
 }  // namespace candela::scene

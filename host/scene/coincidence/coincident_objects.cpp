@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <compare>
 #include <map>
 #include <utility>
 
@@ -14,19 +14,16 @@
 namespace candela::scene {
 namespace {
 
-// A primitive, and the pair of objects for which it counts.
-using Entry = std::array<std::uint32_t, 3>;
-using Pair = std::pair<std::uint32_t, std::uint32_t>;
+using Pair = Coincidences::Pair;
 
-std::vector<std::uint32_t> objectsOf(const Scene& scene) {
-  std::vector<std::uint32_t> objects(scene.primitives.size(), 0);
-  std::uint32_t object = 0;
-  for (std::uint32_t i = 0; i < objects.size(); ++i) {
-    while (object + 1 < scene.objectStarts.size() && scene.objectStarts[object + 1] <= i) ++object;
-    objects[i] = object;
-  }
-  return objects;
-}
+// Consecutive primitives from `first`, which count for a pair of objects.
+struct Entry {
+  std::size_t firstObject, secondObject;
+  std::uint32_t first;
+  std::uint32_t count = 1;
+
+  auto operator<=>(const Entry&) const = default;
+};
 
 std::string plural(const std::string& noun) { return noun + (noun.ends_with('x') ? "es" : "s"); }
 
@@ -45,17 +42,19 @@ std::string named(const std::string& kind, const std::string& name) {
 
 class Counting {
  public:
-  explicit Counting(const Scene& scene) : scene_(scene), objects_(objectsOf(scene)) {}
+  explicit Counting(const Scene& scene) : scene_(scene) {}
 
   // Counts primitives a and b, a < b, for their objects in one of the two counts.
   void count(const std::vector<Pair>& primitives, CoincidentObjects::Count CoincidentObjects::*counts) {
-    std::vector<Entry> entries;
-    entries.reserve(primitives.size());
-    for (const auto& [a, b] : primitives) entries.push_back({objects_[a], objects_[b], a});
-    countEntries(entries, counts, &CoincidentObjects::Count::first, &CoincidentObjects::firstNoun);
-    entries.clear();
-    for (const auto& [a, b] : primitives) entries.push_back({objects_[a], objects_[b], b});
-    countEntries(entries, counts, &CoincidentObjects::Count::second, &CoincidentObjects::secondNoun);
+    countEntries(primitives, counts, [](std::uint32_t primitive) { return std::pair(primitive, 1u); });
+  }
+
+  // Counts the primitives of runs that are copies.
+  void countRuns(const std::vector<Pair>& runs) {
+    countEntries(runs, &CoincidentObjects::copies, [&](std::uint32_t index) {
+      const PrimitiveRun& run = scene_.primitives.runs()[index];
+      return std::pair(run.first, scene_.primitives.countOf(run));
+    });
   }
 
   std::vector<CoincidentObjects> take() {
@@ -73,37 +72,45 @@ class Counting {
   }
 
  private:
-  void countEntries(std::vector<Entry>& entries, CoincidentObjects::Count CoincidentObjects::*counts,
-                    std::uint64_t CoincidentObjects::Count::*side, std::string CoincidentObjects::*noun) {
+  // `rangeOf` returns the first primitive of an element of a pair, and their number.
+  template <class RangeOf>
+  void countEntries(const std::vector<Pair>& pairs, CoincidentObjects::Count CoincidentObjects::*counts,
+                    const RangeOf& rangeOf) {
+    std::vector<Entry> firsts, seconds;
+    for (const auto& [a, b] : pairs) {
+      const auto [first, firstCount] = rangeOf(a);
+      const auto [second, secondCount] = rangeOf(b);
+      const std::size_t firstObject = objectOf(scene_, first), secondObject = objectOf(scene_, second);
+      firsts.push_back({firstObject, secondObject, first, firstCount});
+      seconds.push_back({firstObject, secondObject, second, secondCount});
+    }
+    countEach(firsts, counts, &CoincidentObjects::Count::first, &CoincidentObjects::firstNoun);
+    countEach(seconds, counts, &CoincidentObjects::Count::second, &CoincidentObjects::secondNoun);
+  }
+
+  void countEach(std::vector<Entry>& entries, CoincidentObjects::Count CoincidentObjects::*counts,
+                 std::uint64_t CoincidentObjects::Count::*side, std::string CoincidentObjects::*noun) {
     std::ranges::sort(entries);
     entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-    for (const auto& [first, second, primitive] : entries) {
-      CoincidentObjects& objects = pairs_[{first, second}];
-      ++(objects.*counts.*side);
-      const std::string kind = kindName(scene_.primitives[primitive].kind);
+    for (const Entry& entry : entries) {
+      CoincidentObjects& objects = pairs_[{entry.firstObject, entry.secondObject}];
+      objects.*counts.*side += entry.count;
+      const std::string kind = kindName(scene_.primitives[entry.first].kind);
       objects.*noun = (objects.*noun).empty() || objects.*noun == kind ? kind : "primitive";
     }
   }
 
   const Scene& scene_;
-  std::vector<std::uint32_t> objects_;
-  std::map<Pair, CoincidentObjects> pairs_;
+  std::map<std::pair<std::size_t, std::size_t>, CoincidentObjects> pairs_;
 };
-
-std::vector<Pair> copiesIn(const Coincidences& coincidences) {
-  std::vector<Pair> copies;
-  for (std::uint32_t i = 0; i < coincidences.firstCopy.size(); ++i) {
-    if (coincidences.firstCopy[i] != i) copies.emplace_back(coincidences.firstCopy[i], i);
-  }
-  return copies;
-}
 
 }  // namespace
 
 CoincidenceReport coincidentObjects(const Scene& scene) {
   const Coincidences coincidences = findCoincidences(scene);
   Counting counting(scene);
-  counting.count(copiesIn(coincidences), &CoincidentObjects::copies);
+  counting.count(coincidences.copies, &CoincidentObjects::copies);
+  counting.countRuns(coincidences.copiedRuns);
   counting.count(coincidences.overlaps, &CoincidentObjects::overlaps);
   CoincidenceReport report{counting.take(), std::nullopt};
   if (!coincidences.truncated) {

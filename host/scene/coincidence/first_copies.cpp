@@ -51,8 +51,13 @@ struct KeyOfShape {
   }
 };
 
-ShapeKey keyOf(const Scene& scene, std::uint32_t primitive) {
-  return std::visit(KeyOfShape(), shapeOf(scene, scene.primitives[primitive]));
+ShapeKey keyOf(const Scene& scene, const Primitive& primitive) {
+  return std::visit(KeyOfShape(), shapeOf(scene, primitive));
+}
+
+// Returns a key that no shape and no other number has.
+ShapeKey keyOfItself(std::uint32_t number) {
+  return {-1, static_cast<float>(number >> 16), static_cast<float>(number & 0xffffu)};
 }
 
 std::uint32_t hashOf(const ShapeKey& key) {
@@ -64,12 +69,24 @@ std::uint32_t hashOf(const ShapeKey& key) {
   return static_cast<std::uint32_t>(hash);
 }
 
-std::vector<std::uint32_t> hashesOf(const Scene& scene, std::uint32_t threadCount) {
-  std::vector<std::uint32_t> hashes(scene.primitives.size());
-  forEachBlock(threadCount, hashes.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) hashes[i] = hashOf(keyOf(scene, static_cast<std::uint32_t>(i)));
+// Returns for each index below `count` the lowest one with an equal key.
+template <class KeyAt>
+std::vector<std::uint32_t> firstEqual(std::size_t count, std::uint32_t threads, const KeyAt& keyAt) {
+  constexpr std::uint32_t kFree = ~0u;
+  std::vector<std::uint32_t> hashes(count), first(count);
+  forEachBlock(threadCountFor(threads), count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) hashes[i] = hashOf(keyAt(static_cast<std::uint32_t>(i)));
   });
-  return hashes;
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * count + 1), kFree);
+  const std::size_t mask = table.size() - 1;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    std::size_t slot = hashes[i] & mask;
+    const auto isOther = [&](std::uint32_t known) { return hashes[known] != hashes[i] || keyAt(known) != keyAt(i); };
+    while (table[slot] != kFree && isOther(table[slot])) slot = (slot + 1) & mask;
+    if (table[slot] == kFree) table[slot] = i;
+    first[i] = table[slot];
+  }
+  return first;
 }
 
 }  // namespace
@@ -83,21 +100,16 @@ Cone withSortedEnds(Cone cone) {
 }
 
 std::vector<std::uint32_t> firstCopies(const Scene& scene, std::uint32_t threads) {
-  constexpr std::uint32_t kFree = ~0u;
-  const std::vector<std::uint32_t> hashes = hashesOf(scene, threadCountFor(threads));
-  std::vector<std::uint32_t> first(hashes.size());
-  std::vector<std::uint32_t> table(std::bit_ceil(2 * hashes.size() + 1), kFree);
-  const std::size_t mask = table.size() - 1;
-  for (std::uint32_t i = 0; i < first.size(); ++i) {
-    std::size_t slot = hashes[i] & mask;
-    const auto isOther = [&](std::uint32_t known) {
-      return hashes[known] != hashes[i] || keyOf(scene, known) != keyOf(scene, i);
-    };
-    while (table[slot] != kFree && isOther(table[slot])) slot = (slot + 1) & mask;
-    if (table[slot] == kFree) table[slot] = i;
-    first[i] = table[slot];
-  }
-  return first;
+  return firstEqual(scene.primitives.size(), threads,
+                    [&](std::uint32_t i) { return keyOf(scene, scene.primitives[i]); });
+}
+
+std::vector<std::uint32_t> firstUnplacedCopies(const Scene& scene, const StoredPrimitives& stored,
+                                               std::uint32_t threads) {
+  return firstEqual(stored.count(), threads, [&](std::uint32_t number) {
+    const Primitive primitive = scene.primitives[stored.primitiveOf(number)];
+    return primitive.isPlaced() ? keyOfItself(number) : keyOf(scene, primitive);
+  });
 }
 
 }  // namespace candela::scene

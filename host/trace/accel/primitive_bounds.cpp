@@ -8,6 +8,7 @@
 
 #include "host/base/errors.h"
 #include "host/scene/shape.h"
+#include "host/scene/stored_primitives.h"
 
 namespace candela::accel {
 namespace {
@@ -44,13 +45,14 @@ std::optional<ExactBounds> exactBounds(const scene::Cone& cone) {
 
 std::optional<ExactBounds> exactBounds(const scene::Plane&) { return std::nullopt; }
 
-void padCoincident(const std::vector<bool>& coincident, float reach, SceneBounds& scene) {
+void padCoincident(const scene::StoredPrimitives& stored, const std::vector<bool>& coincident, float reach,
+                   SceneBounds& scene) {
   if (coincident.empty()) return;
   for (std::size_t i = 0; i < scene.finite.size(); ++i) {
-    if (coincident[scene.finite[i]]) reach = std::max(reach, largestCoordinate(scene.bounds[i]));
+    if (coincident[stored.indexOf(scene.finite[i])]) reach = std::max(reach, largestCoordinate(scene.bounds[i]));
   }
   for (std::size_t i = 0; i < scene.finite.size(); ++i) {
-    if (!coincident[scene.finite[i]]) continue;
+    if (!coincident[stored.indexOf(scene.finite[i])]) continue;
     scene.bounds[i].min -= reach * kBoundsPad;
     scene.bounds[i].max += reach * kBoundsPad;
   }
@@ -107,7 +109,7 @@ SceneBounds boundPrimitives(const scene::Scene& scene, const std::vector<bool>& 
       }
     }
   }
-  padCoincident(coincident, coincidentReach, result);
+  padCoincident(scene::StoredPrimitives(scene.primitives), coincident, coincidentReach, result);
   return result;
 }
 

@@ -40,15 +40,14 @@ void checkLimits(const scene::Scene& scene) {
   }
 }
 
-// Marks a triangle in all instances of a mesh if it is marked in one of them: they share their records.
-void shareMarks(const scene::Scene& scene, std::vector<bool>& marks) {
-  if (scene.placements.empty()) return;
+// Returns marks by number in scene::StoredPrimitives: a triangle is marked if it is in any instance of its mesh.
+std::vector<bool> sharedMarks(const scene::Scene& scene, const std::vector<bool>& marks) {
   const scene::StoredPrimitives stored(scene.primitives);
   std::vector<bool> shared(stored.count());
   for (std::uint32_t i = 0; i < marks.size(); ++i) {
     if (marks[i]) shared[stored.indexOf(i)] = true;
   }
-  for (std::uint32_t i = 0; i < marks.size(); ++i) marks[i] = shared[stored.indexOf(i)];
+  return shared;
 }
 
 // Returns the number of records of a tree's state. Only glass makes rays pending.
@@ -103,9 +102,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.shape.features = featuresOf(scene, settings.image.integrator);
   noteCamera(*scene.camera, flat.constants, flat.shape);
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
-  scene::Coincidences coincidences = scene::findCoincidences(scene);
-  shareMarks(scene, coincidences.coincident);
-  shareMarks(scene, coincidences.behind);
+  const scene::Coincidences coincidences = scene::findCoincidences(scene);
   const InstancePlan plan = planInstances(scene, coincidences, settings);
   checkSlotCount(scene, plan);
   const accel::SceneBounds bounds = accel::boundPrimitives(scene, coincidences.coincident, plan.isInstance,
@@ -117,8 +114,9 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
   if (isList) {
-    const auto marked = std::stable_partition(order.begin(), order.end(),
-                                              [&](std::uint32_t i) { return !coincidences.coincident[i]; });
+    const scene::StoredPrimitives stored(scene.primitives);
+    const auto marked = std::stable_partition(
+        order.begin(), order.end(), [&](std::uint32_t i) { return !coincidences.coincident[stored.indexOf(i)]; });
     flat.shape.firstMarkedSlot = static_cast<std::uint32_t>(marked - order.begin());
   }
   flat.shape.slotCount = static_cast<std::uint32_t>(order.size());
@@ -131,16 +129,12 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
-  std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, settings.image));
-  shareMarks(scene, touched);
-  const PrimitiveMarks marks{std::move(touched),
-                             coincidenceFlags(scene, coincidences.coincident, settings.image.integrator),
-                             coincidences.behind};
+  const PrimitiveMarks marks{sharedMarks(scene, touchedPrimitives(scene, lightPositions(scene, table, settings.image))),
+                             coincidences.coincident, coincidences.behind};
   noteLights(table, marks.touched, flat.shape.features);
   flat.shape.behindReach = coincidences.behindReach;
-  flat.shape.coincident = coincidentKinds(scene, marks.coincidence);
-  appendPrimitives(scene, {order, std::move(instances.orders)}, table, marks,
-                   settings.image.layers.has(image::Layer::uv), flat);
+  flat.shape.coincident = coincidentKinds(scene, marks.coincident, settings.image.integrator);
+  appendPrimitives(scene, {order, std::move(instances.orders)}, table, marks, settings.image, flat);
   if (plan.hasInstances()) appendInstances(scene, plan, instances, bounds.coincidentReach, flat);
   flat.shape.rowsAhead = limits.smallScene.rowsAhead;
   if (isList) copySlotRows(flat);

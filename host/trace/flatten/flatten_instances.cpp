@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "host/base/errors.h"
+#include "host/scene/stored_primitives.h"
 #include "host/trace/accel/instance_space.h"
 #include "host/trace/flatten/flat_rows.h"
 #include "host/trace/flatten/flatten_hierarchy.h"
@@ -123,6 +124,7 @@ InstancePlan planInstances(const scene::Scene& scene, const scene::Coincidences&
                            const render::RenderSettings& settings) {
   InstancePlan plan;
   if (scene.placements.empty() || !mayHaveInstances(settings)) return plan;
+  const scene::StoredPrimitives stored(scene.primitives);
   std::map<PrototypeKey, Prototype> candidates;
   for (std::uint32_t i = 0; i < runsOf(scene).size(); ++i) {
     const scene::PrimitiveRun& run = runsOf(scene)[i];
@@ -136,7 +138,7 @@ InstancePlan planInstances(const scene::Scene& scene, const scene::Coincidences&
     if (prototype.uses.size() < kMinUses) continue;
     plan.isInstance.resize(runsOf(scene).size());
     for (const std::uint32_t use : prototype.uses) plan.isInstance[use] = true;
-    const std::uint32_t first = runsOf(scene)[prototype.uses.front()].first;
+    const std::uint32_t first = stored.firstOf(prototype.uses.front());
     for (std::uint32_t i = 0; i < prototype.triangleCount; ++i) {
       prototype.coincident = prototype.coincident || coincidences.coincident[first + i];
     }

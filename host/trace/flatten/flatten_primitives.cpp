@@ -7,6 +7,7 @@
 
 #include "host/scene/coincidence/coincidence.h"
 #include "host/scene/shape.h"
+#include "host/scene/stored_primitives.h"
 
 namespace candela::flatten {
 namespace {
@@ -95,7 +96,8 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
 }
 
 void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::span<const LightEntry> table,
-                      const PrimitiveMarks& marks, bool keepsTexCoords, FlatScene& flat) {
+                      const PrimitiveMarks& marks, const render::ImageSettings& image, FlatScene& flat) {
+  const scene::StoredPrimitives stored(scene.primitives);
   std::unordered_map<std::uint32_t, std::uint32_t> lightOf;
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
@@ -111,13 +113,16 @@ void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::sp
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
   const auto append = [&](std::uint32_t primitive, const scene::Primitive& entry, std::uint32_t index) {
     const auto light = lightOf.find(primitive);
-    const PrimitiveContext context{.primitive = entry,
-                                   .index = index,
-                                   .light = light == lightOf.end() ? 0 : light->second,
-                                   .touched = marks.touched[primitive],
-                                   .coincidence = marks.coincidence[primitive],
-                                   .behind = marks.behind[primitive],
-                                   .keepsTexCoords = keepsTexCoords};
+    const std::uint32_t number = stored.indexOf(primitive);
+    const bool emits = isEmissive(scene.materials[entry.material]);
+    const PrimitiveContext context{
+        .primitive = entry,
+        .index = index,
+        .light = light == lightOf.end() ? 0 : light->second,
+        .touched = marks.touched[number],
+        .coincidence = marks.coincident[number] ? coincidenceFlags(scene, entry, image.integrator) : 0,
+        .behind = marks.behind[number] && !emits,
+        .keepsTexCoords = image.layers.has(image::Layer::uv)};
     appendPrimitive(scene, context, flat.rows, attributes);
   };
   for (const std::uint32_t primitive : order.own) append(primitive, scene.primitives[primitive], primitive);

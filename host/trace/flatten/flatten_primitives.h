@@ -22,20 +22,20 @@ struct PrimitiveContext {
   bool keepsTexCoords = false;    ///< even if no texture needs the texture coordinates
 };
 
-/// Marks of primitives that depend on others.
+/// Marks of primitives that depend on others, by number in scene::StoredPrimitives.
 struct PrimitiveMarks {
-  std::vector<bool> touched;               ///< result of touchedPrimitives()
-  std::vector<std::uint32_t> coincidence;  ///< result of coincidenceFlags()
-  std::vector<bool> behind;                ///< Coincidences::behind
+  std::vector<bool> touched;     ///< result of touchedPrimitives()
+  std::vector<bool> coincident;  ///< Coincidences::coincident
+  std::vector<bool> behind;      ///< Coincidences::behind
 };
 
-/// Returns for each primitive that is `coincident` kFlagCoincident and the flags that tell how rays cross it, and 0 for
-/// the others.
-std::vector<std::uint32_t> coincidenceFlags(const scene::Scene& scene, const std::vector<bool>& coincident,
-                                            render::Integrator integrator);
+/// Returns kFlagCoincident and the flags that tell how rays cross a primitive that coincides with others.
+std::uint32_t coincidenceFlags(const scene::Scene& scene, const scene::Primitive& primitive,
+                               render::Integrator integrator);
 
-/// Returns the kCoincident... of a scene whose primitives have these flags.
-std::uint32_t coincidentKinds(const scene::Scene& scene, std::span<const std::uint32_t> coincidence);
+/// Returns the kCoincident... of a scene with these marks, by number in scene::StoredPrimitives.
+std::uint32_t coincidentKinds(const scene::Scene& scene, const std::vector<bool>& coincident,
+                              render::Integrator integrator);
 
 /// Sets the parts of a sphere's first two records that depend on the eye: the anchor, and the unit vector from the
 /// centre to the anchor.
@@ -59,9 +59,9 @@ struct SlotOrder {
 };
 
 /// Appends the records of the primitives, followed by the attributes of their vertices, and sets the constants that
-/// refer to them. `table` is the light table, and `keepsTexCoords` as in PrimitiveContext.
+/// refer to them. `table` is the light table.
 void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::span<const LightEntry> table,
-                      const PrimitiveMarks& marks, bool keepsTexCoords, FlatScene& flat);
+                      const PrimitiveMarks& marks, const render::ImageSettings& image, FlatScene& flat);
 
 /// Copies the records of slots to the uniform buffer.
 void copySlotRows(FlatScene& flat);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/scene/shape.h"
+#include "host/scene/stored_primitives.h"
 #include "shaders/shared/render_data.h"
 
 namespace candela::flatten {
@@ -31,8 +32,9 @@ bool isSmall(const scene::Scene& scene, const std::vector<bool>& coincident, con
   // and a BVH is faster. lavapipe would compile the rules for emitters again at every dispatch.
   constexpr std::ptrdiff_t kMaxCoincident = 4;
   std::ptrdiff_t coincidentCount = 0;
-  for (std::size_t i = 0; i < coincident.size(); ++i) {
-    if (!coincident[i]) continue;
+  const scene::StoredPrimitives stored(scene.primitives);
+  for (std::uint32_t i = 0; !coincident.empty() && i < scene.primitives.size(); ++i) {
+    if (!coincident[stored.indexOf(i)]) continue;
     if (++coincidentCount > kMaxCoincident || isEmissive(scene.materials[scene.primitives[i].material])) return false;
   }
   std::uint32_t cost = 0;

@@ -16,8 +16,8 @@ struct SmallSceneRule {
 };
 
 /// Returns whether `rule` makes the scene a linear list: its cost is low enough, and it has at most
-/// gpu::kMaxUniformSlots primitives, of which few are coincident (scene::Coincidences::coincident), and none of these
-/// emits.
+/// gpu::kMaxUniformSlots primitives, of which few are coincident (scene::Coincidences::coincident; empty: none), and
+/// none of these emits.
 bool isSmall(const scene::Scene& scene, const std::vector<bool>& coincident, const SmallSceneRule& rule);
 
 }  // namespace candela::flatten

@@ -103,8 +103,8 @@ struct FlatCosine {
 };
 
 bool hasEmissivePrimitive(const scene::Scene& scene) {
-  return std::ranges::any_of(scene.primitives, [&](const scene::Primitive& primitive) {
-    return isEmissive(scene.materials[primitive.material]);
+  return std::ranges::any_of(scene.primitives.runs(), [&](const scene::PrimitiveRun& run) {
+    return isEmissive(scene.materials[run.start.material]);
   });
 }
 
@@ -146,10 +146,11 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
   scene::Coincidences coincidences;
   if (hasEmissivePrimitive(scene)) coincidences = scene::findCoincidences(scene);
   behindReach_ = double{coincidences.behindReach};
+  const scene::StoredPrimitives stored(scene.primitives);
   const auto add = [&](std::uint32_t primitive) {
     const scene::Material& material = scene.materials[scene.primitives[primitive].material];
     addItem(scene, primitive, settings.image.oneSided && material.opaque,
-            behindReach_ > 0 && coincidences.behind[primitive]);
+            behindReach_ > 0 && coincidences.behind[stored.indexOf(primitive)] && !isEmissive(material));
   };
 
   items_.reserve(scene.primitives.size());

@@ -28,12 +28,6 @@ SceneBuilder grey() {
 
 bool anyCoincide(const Coincidences& found) { return std::ranges::count(found.coincident, true) > 0; }
 
-std::size_t copyCount(const Coincidences& found) {
-  std::size_t count = 0;
-  for (std::uint32_t i = 0; i < found.firstCopy.size(); ++i) count += found.firstCopy[i] != i;
-  return count;
-}
-
 void addGrid(SceneBuilder& b, int side, const vec3& corner, const vec3& u, const vec3& v) {
   const auto at = [&](int x, int y) { return corner + static_cast<float>(x) * u + static_cast<float>(y) * v; };
   for (int x = 0; x < side; ++x) {
@@ -90,7 +84,8 @@ TEST_CASE("triangles with the same vertices are copies in any order") {
   SceneBuilder b = grey();
   b.triangle(p[0], p[1], p[2]).triangle(p[1], p[2], p[0]).triangle(p[2], p[1], p[0]).triangle(p[0], p[1], {1, 2, 0.5f});
   const Coincidences found = findCoincidences(b.scene);
-  CHECK(found.firstCopy == std::vector<std::uint32_t>{0, 0, 0, 3});
+  CHECK(scene::firstCopies(b.scene) == std::vector<std::uint32_t>{0, 0, 0, 3});
+  CHECK(found.copies == std::vector<Pair>{{0, 1}, {0, 2}});
   CHECK(found.coincident == std::vector<bool>{true, true, true, false});
   CHECK(found.overlaps.empty());
   CHECK(anyCoincide(found));
@@ -103,7 +98,8 @@ TEST_CASE("equal spheres, boxes, planes and cones are copies, cones also with th
   b.box({-9, 0, 0}, {-8, 1, 1}).box({-9, 0, 0}, {-8, 1, 1});
   b.plane({0, 0, -4}, {1, 0, -4}, {0, 1, -4}).plane({0, 0, -4}, {1, 0, -4}, {0, 1, -4});
   const Coincidences found = findCoincidences(b.scene);
-  CHECK(found.firstCopy == std::vector<std::uint32_t>{0, 0, 2, 3, 3, 5, 6, 6, 8, 8});
+  CHECK(scene::firstCopies(b.scene) == std::vector<std::uint32_t>{0, 0, 2, 3, 3, 5, 6, 6, 8, 8});
+  CHECK(found.copies == std::vector<Pair>{{0, 1}, {3, 4}, {6, 7}, {8, 9}});
   CHECK(found.coincident == std::vector<bool>{true, true, false, true, true, false, true, true, true, true});
 }
 
@@ -122,7 +118,7 @@ TEST_CASE("flat surfaces of every kind that overlap in one plane are found, at a
   const Coincidences found = findCoincidences(b.scene);
   CAPTURE(scale);
   CHECK(found.overlaps == std::vector<Pair>{{0, 1}, {0, 2}, {0, 3}, {0, 4}, {1, 2}, {1, 3}, {1, 4}, {3, 4}});
-  CHECK(copyCount(found) == 0);
+  CHECK(found.copies.size() == 0);
 }
 
 TEST_CASE("what does not emit is behind the emitters with which it coincides") {
@@ -208,7 +204,7 @@ TEST_CASE("neighbours in a flat mesh, in a closed box and at an acute edge do no
   b.quad({100, 0, 0}, {110, 0, 0}, {110, 10, 0}, {100, 10, 0});
   b.quad({100, 0, 0}, {110, 0, 0}, {110, 10, 0.5f}, {100, 10, 0.5f});
   const Coincidences found = findCoincidences(b.scene);
-  CHECK(copyCount(found) == 0);
+  CHECK(found.copies.size() == 0);
   // Only the boxes, whose faces at x = 6 share a part, coincide.
   CHECK(found.overlaps == std::vector<Pair>{{3200, 3201}});
 }
@@ -243,10 +239,10 @@ TEST_CASE("the search finds what a comparison of all pairs finds, on any number 
   const Coincidences found = findCoincidences(b.scene, 1);
   CAPTURE(seed);
   CHECK(found.overlaps.size() > 100);
-  CHECK(copyCount(found) == 14);
-  CHECK(found.overlaps == overlapsByBruteForce(b.scene, found.firstCopy));
+  CHECK(found.copies.size() == 14);
+  CHECK(found.overlaps == overlapsByBruteForce(b.scene, scene::firstCopies(b.scene)));
   const Coincidences again = findCoincidences(b.scene, 5);
-  CHECK(again.firstCopy == found.firstCopy);
+  CHECK(again.copies == found.copies);
   CHECK(again.overlaps == found.overlaps);
   CHECK(again.coincident == found.coincident);
 }
@@ -259,7 +255,7 @@ TEST_CASE("large meshes are compared in parts, which find every pair") {
     addGrid(b, side, {0.04f, 0.03f, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
     addGrid(b, side, {0, 0, 1}, {0.1f, 0, 0}, {0, 0.1f, 0});
     const Coincidences found = findCoincidences(b.scene, threads);
-    CHECK(copyCount(found) == std::size_t(2 * side * side));
+    CHECK(found.copies.size() == std::size_t(2 * side * side));
     return static_cast<std::int64_t>(found.overlaps.size());
   };
   // Grids of the first three sides are within one part, that of the last one is not.

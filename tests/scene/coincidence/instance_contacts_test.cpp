@@ -1,0 +1,190 @@
+// The search among instances finds what a comparison of all placed triangles finds.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <random>
+#include <set>
+
+#include "host/scene/coincidence/coincidence.h"
+#include "host/scene/coincidence/flat_surface.h"
+#include "host/scene/shape.h"
+#include "tests/trace/reference/scene_builder.h"
+
+using namespace candela;
+using glm::dmat4;
+using glm::dvec3;
+using glm::vec3;
+using scene::Coincidences;
+using scene::findCoincidences;
+using test::diffuseMaterial;
+using test::SceneBuilder;
+
+namespace {
+
+using Numbers = std::set<std::uint32_t>;
+
+// The marks that findCoincidences() must set at least.
+struct Marks {
+  Numbers coincident, behind;
+};
+
+// Compares all pairs of primitives in the space of the scene.
+Marks marksByBruteForce(const scene::Scene& scene) {
+  const scene::StoredPrimitives stored(scene.primitives);
+  const std::vector<std::uint32_t> copies = firstCopies(scene);
+  std::vector<scene::FlatSurface> parts;
+  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
+    std::vector<scene::FlatSurface> own(scene::flatPartCount(scene.primitives[i].kind));
+    const std::size_t count = storeFlatParts(shapeOf(scene, scene.primitives[i]), i, own);
+    parts.insert(parts.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  const auto emits = [&](std::uint32_t i) { return isEmissive(scene.materials[scene.primitives[i].material]); };
+  Marks marks;
+  for (const scene::FlatSurface& a : parts) {
+    for (const scene::FlatSurface& b : parts) {
+      if (a.primitive == b.primitive) continue;
+      if (copies[a.primitive] != copies[b.primitive] && !overlapInPlane(a, b)) continue;
+      marks.coincident.insert(stored.indexOf(a.primitive));
+      if (!emits(a.primitive) && emits(b.primitive)) marks.behind.insert(stored.indexOf(a.primitive));
+    }
+  }
+  return marks;
+}
+
+Numbers numbersOf(const std::vector<bool>& marks) {
+  Numbers numbers;
+  for (std::uint32_t i = 0; i < marks.size(); ++i) {
+    if (marks[i]) numbers.insert(i);
+  }
+  return numbers;
+}
+
+Numbers missing(const Numbers& wanted, const std::vector<bool>& marks) {
+  const Numbers found = numbersOf(marks);
+  Numbers result;
+  std::ranges::set_difference(wanted, found, std::inserter(result, result.end()));
+  return result;
+}
+
+dmat4 shifted(const dvec3& by, const dmat4& map = dmat4(1)) {
+  dmat4 result = map;
+  result[3] = glm::dvec4(by, 1);
+  return result;
+}
+
+void show(SceneBuilder& b, std::uint32_t mesh, const dmat4& map) {
+  const auto material = static_cast<std::uint32_t>(b.scene.materials.size() - 1);
+  addInstance(b.scene, mesh, scene::placementOf(map).value(), material);
+}
+
+// A cube of side 2 around the origin, each face of side * side quads.
+scene::Mesh cube(int side) {
+  scene::Mesh mesh;
+  for (int face = 0; face < 6; ++face) {
+    const auto at = [&](int x, int y) {
+      const int axis = face / 2;
+      vec3 p;
+      p[axis] = face % 2 == 0 ? -1.0f : 1.0f;
+      p[(axis + 1) % 3] = -1 + 2 * static_cast<float>(face % 2 == 0 ? y : x) / static_cast<float>(side);
+      p[(axis + 2) % 3] = -1 + 2 * static_cast<float>(face % 2 == 0 ? x : y) / static_cast<float>(side);
+      return p;
+    };
+    for (int x = 0; x < side; ++x) {
+      for (int y = 0; y < side; ++y) {
+        for (const vec3& p : {at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y), at(x + 1, y + 1), at(x, y + 1)}) {
+          mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+          mesh.positions.push_back(p);
+        }
+      }
+    }
+  }
+  return mesh;
+}
+
+// Instances of two meshes, of which triangles coincide in some placements, among surfaces that belong to no instance.
+class Crowd {
+ public:
+  explicit Crowd(std::uint32_t seed) : numbers_(seed), scale_(std::pow(10.0, random(2))) {
+    b.material(diffuseMaterial(vec3(0.5f)));
+    const std::uint32_t plain = storeMesh(b.scene, cube(3));
+    const std::uint32_t mixed = storeMesh(b.scene, soup());
+    for (int i = 0; i < 12; ++i) {
+      b.material(diffuseMaterial(vec3(0.5f), vec3(i % 4 == 0 ? 1.0f : 0.0f)));
+      const dmat4 map = anyMap();
+      show(b, i % 2 == 0 ? plain : mixed, map);
+      if (seed % 5 == 1) show(b, i % 2 == 0 ? plain : mixed, map);                           // a copy
+      if (seed % 5 == 2) show(b, plain, shifted(dvec3(map[3]) + 2.0 * dvec3(map[0]), map));  // a neighbour
+      if (seed % 5 == 3) show(b, plain, shifted(dvec3(map[3]) * (1 + 0x1p-23), map));        // almost a copy
+      if (seed % 5 == 4) show(b, plain, shifted(dvec3(map[3]) + 0.3 * dvec3(map[0]), map));  // displaced
+      if (i % 5 == 0) addDecal(map);
+    }
+    const auto p = [&] { return vec3(scale_ * dvec3(random(9), random(9), random(9))); };
+    for (int i = 0; i < 20; ++i) b.triangle(p(), p(), p());
+    b.plane(p(), p(), p());
+  }
+
+  SceneBuilder b;
+
+ private:
+  double random(double limit) { return std::uniform_real_distribution(-limit, limit)(numbers_); }
+
+  // Triangles in few planes, some of them twice, slivers, and triangles without area.
+  scene::Mesh soup() {
+    scene::Mesh mesh;
+    const auto add = [&](const vec3& p) {
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+      mesh.positions.push_back(p);
+    };
+    for (int i = 0; i < 40; ++i) {
+      const dvec3 corner(random(1), random(1), 0.25 * (i % 4));
+      const dvec3 u = std::pow(10, random(1.5) - 1) * dvec3(random(1), random(1), i % 3 == 0 ? random(1) : 0);
+      const dvec3 v = std::pow(10, random(1.5) - 1) * dvec3(random(1), random(1), 0);
+      for (const dvec3& p : {corner, corner + u, corner + (i % 10 == 9 ? 0.5 * u : v)}) add(vec3(p));
+      if (i % 8 == 0) add(vec3(corner + v)), add(vec3(corner)), add(vec3(corner + u));
+    }
+    return mesh;
+  }
+
+  // Moves, and turns, mirrors, scales or shears.
+  dmat4 anyMap() {
+    glm::dmat4 map(1);
+    const int kind = std::uniform_int_distribution(0, 3)(numbers_);
+    for (int column = 0; column < 3; ++column) {
+      for (int row = 0; row < 3; ++row) {
+        if (kind == 0 || (kind == 1 && row == column)) map[column][row] = random(1);
+        if (kind == 2) map[column][row] = row == (column + 1) % 3 ? 1 : 0;
+      }
+    }
+    for (int column = 0; column < 3; ++column) map[column] *= scale_;
+    const dvec3 shift(random(5), random(5), random(5));
+    return scene::placementOf(map) ? shifted(scale_ * (kind == 3 ? 100.0 : 1.0) * shift, map) : anyMap();
+  }
+
+  // Adds a triangle in the plane of a face of the cube that this map places.
+  void addDecal(const dmat4& map) {
+    const auto at = [&](double x, double y) { return vec3(dvec3(map * glm::dvec4(x, y, 1, 1))); };
+    b.triangle(at(random(1), random(1)), at(random(1), random(1)), at(random(1), random(1)));
+  }
+
+  std::mt19937 numbers_;
+  double scale_;
+};
+
+}  // namespace
+
+TEST_CASE("what coincides in the space of the scene is marked in instances of any placement") {
+  const auto seed = GENERATE(range(0u, 40u));
+  const scene::Scene& scene = Crowd(seed).b.scene;
+  const Marks wanted = marksByBruteForce(scene);
+  const Coincidences found = findCoincidences(scene, 1);
+  CAPTURE(seed, wanted.coincident.size(), numbersOf(found.coincident).size());
+  CHECK(wanted.coincident.size() > 10);
+  CHECK(missing(wanted.coincident, found.coincident).empty());
+  CHECK(missing(wanted.behind, found.behind).empty());
+  CHECK_FALSE(found.truncated);
+  const Coincidences again = findCoincidences(scene, 3);
+  CHECK(again.coincident == found.coincident);
+  CHECK(again.behind == found.behind);
+  CHECK(again.copies == found.copies);
+  CHECK(again.overlaps == found.overlaps);
+  CHECK(again.behindReach == found.behindReach);
+}
