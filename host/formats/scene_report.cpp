@@ -5,20 +5,28 @@
 
 #include "host/scene/bounds.h"
 #include "host/scene/film_scale.h"
-#include "host/scene/shape.h"
 
 namespace candela::scene {
 namespace {
 
-struct EmitterCount {
-  SceneReport::Lights& lights;
-
-  void operator()(const Sphere&) const { ++lights.spheres; }
-  void operator()(const Triangle&) const { ++lights.triangles; }
-  void operator()(const Cone&) const { ++lights.cones; }
-  void operator()(const Plane&) const { ++lights.planes; }
-  void operator()(const Box&) const {}  // emitting boxes have become triangles
-};
+void countEmitters(PrimitiveKind kind, std::size_t count, SceneReport::Lights& lights) {
+  switch (kind) {
+    case PrimitiveKind::sphere:
+      lights.spheres += count;
+      break;
+    case PrimitiveKind::triangle:
+      lights.triangles += count;
+      break;
+    case PrimitiveKind::cone:
+      lights.cones += count;
+      break;
+    case PrimitiveKind::plane:
+      lights.planes += count;
+      break;
+    case PrimitiveKind::box:  // emitting boxes have become triangles
+      break;
+  }
+}
 
 SceneReport::Lights lightsOf(const Scene& scene) {
   SceneReport::Lights lights;
@@ -28,9 +36,9 @@ SceneReport::Lights lightsOf(const Scene& scene) {
     if (light.kind == PunctualLight::Kind::spot) ++lights.spots;
     if (light.kind == PunctualLight::Kind::directional) ++lights.directionals;
   }
-  for (const Primitive& primitive : scene.primitives) {
-    if (!isEmissive(scene.materials[primitive.material])) continue;
-    std::visit(EmitterCount{lights}, shapeOf(scene, primitive));
+  for (const PrimitiveRun& run : scene.primitives.runs()) {
+    if (!isEmissive(scene.materials[run.start.material])) continue;
+    countEmitters(run.start.kind, scene.primitives.countOf(run), lights);
   }
   return lights;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "host/scene/placed_bounds.h"
 #include "host/scene/shape.h"
 
 namespace candela::scene {
@@ -56,8 +57,17 @@ void add(Extent3&, const Plane&) {}
 
 std::optional<Bounds> boundsOf(const Scene& scene) {
   Extent3 extent;
-  for (const Primitive& primitive : scene.primitives) {
-    std::visit([&](const auto& shape) { add(extent, shape); }, shapeOf(scene, primitive));
+  PlacedBounds placed(scene);
+  for (const PrimitiveRun& run : scene.primitives.runs()) {
+    if (run.start.isPlaced()) {
+      const auto [min, max] = placed.of(run);
+      extent.add(min), extent.add(max);
+      continue;
+    }
+    const std::uint32_t end = run.first + scene.primitives.countOf(run);
+    for (std::uint32_t i = run.first; i < end; ++i) {
+      std::visit([&](const auto& shape) { add(extent, shape); }, shapeOf(scene, run.at(i)));
+    }
   }
   return extent.bounds();
 }

@@ -40,12 +40,15 @@ double weightOf(const scene::Material& material) {
 /// triangles that count as light.
 double emissionOf(const scene::Scene& scene) {
   double sum = 0;
-  for (const scene::Primitive& primitive : scene.primitives) {
-    const scene::Material& material = scene.materials[primitive.material];
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    const scene::Material& material = scene.materials[run.start.material];
     if (!countsAsLight(material)) continue;
     const double factor = weightOf(material) * (material.opacity ? material.opacity->factor : 1);
-    const glm::dvec3 emission = factor * glm::dvec3(material.emission) * meanEmissionTexel(scene, primitive);
-    sum += std::max({emission.x, emission.y, emission.z}) * areaOf(triangleOf(scene, primitive));
+    const std::uint32_t end = run.first + scene.primitives.countOf(run);
+    for (std::uint32_t i = run.first; i < end; ++i) {
+      const glm::dvec3 emission = factor * glm::dvec3(material.emission) * meanEmissionTexel(scene, run.at(i));
+      sum += std::max({emission.x, emission.y, emission.z}) * areaOf(triangleOf(scene, run.at(i)));
+    }
   }
   return sum;
 }
@@ -59,8 +62,8 @@ double meanRadiance(const scene::Scene& scene, const std::optional<Box>& bounds)
   return emission > 0 ? emission / (4 * std::numbers::pi * radius * radius) : 0;
 }
 
-bool transmits(const scene::Scene& scene, const scene::Primitive& primitive) {
-  const auto& surface = scene.materials[primitive.material].surface;
+bool transmits(const scene::Scene& scene, const scene::PrimitiveRun& run) {
+  const auto& surface = scene.materials[run.start.material].surface;
   return surface && surface->transmissionWeight > 0 && surface->metalness < 1;
 }
 
@@ -90,8 +93,8 @@ std::string lightUp(scene::Scene& scene, const DefaultLight& light, const scene:
 }
 
 void warnOfShadows(const scene::Scene& scene, scene::DiagnosticLog& log) {
-  const auto isGlass = [&](const scene::Primitive& primitive) { return transmits(scene, primitive); };
-  if (scene.punctualLights.empty() || std::ranges::none_of(scene.primitives, isGlass)) return;
+  const auto isGlass = [&](const scene::PrimitiveRun& run) { return transmits(scene, run); };
+  if (scene.punctualLights.empty() || std::ranges::none_of(scene.primitives.runs(), isGlass)) return;
   log.warn("shadows", {},
            "transmitting surfaces cast shadows of point, spot and directional lights: their light does not pass glass; "
            "that of environments and of emissive surfaces does");

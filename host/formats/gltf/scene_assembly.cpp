@@ -23,6 +23,7 @@
 #include "host/formats/loading/mikk_tangents.h"
 #include "host/formats/loading/scene_builder.h"
 #include "host/formats/loading/shrink_images.h"
+#include "host/scene/bounds.h"
 #include "host/scene/scene.h"
 #include "host/scene/texture.h"
 
@@ -482,24 +483,8 @@ void SceneAssembly::reportOmissions() {
 }
 
 std::optional<Box> SceneAssembly::bounds() const {
-  std::optional<Box> box;
-  for (const scene::PrimitiveRun& run : scene_.primitives.runs()) {
-    const scene::Mesh& mesh = scene_.meshes[run.start.mesh];
-    const auto placed = [&](std::uint32_t vertex) {
-      const glm::vec3& point = mesh.positions[vertex];
-      return run.start.isPlaced() ? placedPoint(scene_.placements[run.start.placement], point) : point;
-    };
-    glm::vec3 low = placed(mesh.indices.front());
-    glm::vec3 high = low;
-    for (const std::uint32_t index : mesh.indices) {
-      const glm::vec3 point = placed(index);
-      low = glm::min(low, point);
-      high = glm::max(high, point);
-    }
-    const Box own{glm::dvec3(low), glm::dvec3(high)};
-    box = box ? Box{glm::min(box->min, own.min), glm::max(box->max, own.max)} : own;
-  }
-  return box;
+  const std::optional<scene::Bounds> bounds = scene::boundsOf(scene_);
+  return bounds ? std::optional(Box{glm::dvec3(bounds->min), glm::dvec3(bounds->max)}) : std::nullopt;
 }
 
 }  // namespace candela::gltf

@@ -11,8 +11,8 @@ bool hasLight(const Scene& scene) {
   if (std::ranges::any_of(scene.pointLights, shines)) return true;
   const auto isBright = [](const PunctualLight& light) { return light.intensity != glm::vec3(0); };
   if (std::ranges::any_of(scene.punctualLights, isBright)) return true;
-  const auto emits = [&](const Primitive& primitive) { return isEmissive(scene.materials[primitive.material]); };
-  return std::ranges::any_of(scene.primitives, emits);
+  const auto emits = [&](const PrimitiveRun& run) { return isEmissive(scene.materials[run.start.material]); };
+  return std::ranges::any_of(scene.primitives.runs(), emits);
 }
 
 void checkScene(const Scene& scene, const LoadOptions& options, DiagnosticLog& log) {

@@ -40,16 +40,6 @@ void checkLimits(const scene::Scene& scene) {
   }
 }
 
-// Returns marks by number in scene::StoredPrimitives: a triangle is marked if it is in any instance of its mesh.
-std::vector<bool> sharedMarks(const scene::Scene& scene, const std::vector<bool>& marks) {
-  const scene::StoredPrimitives stored(scene.primitives);
-  std::vector<bool> shared(stored.count());
-  for (std::uint32_t i = 0; i < marks.size(); ++i) {
-    if (marks[i]) shared[stored.indexOf(i)] = true;
-  }
-  return shared;
-}
-
 // Returns the number of records of a tree's state. Only glass makes rays pending.
 std::uint32_t treeRows(const SceneFeatures& features, std::uint32_t maxDepth) {
   return gpu::kTreeRows + (features.dielectric ? gpu::kPendingRows * (maxDepth - 1) : 0);
@@ -129,7 +119,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
-  const PrimitiveMarks marks{sharedMarks(scene, touchedPrimitives(scene, lightPositions(scene, table, settings.image))),
+  const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
                              coincidences.coincident, coincidences.behind};
   noteLights(table, marks.touched, flat.shape.features);
   flat.shape.behindReach = coincidences.behindReach;

@@ -1,5 +1,6 @@
 // Determines the features that a scene uses.
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "host/trace/flatten/flat_scene.h"
@@ -20,10 +21,12 @@ void noteKind(scene::PrimitiveKind kind, SceneFeatures& features) {
   }
 }
 
-void notePrimitive(const scene::Scene& scene, const scene::Primitive& primitive, SceneFeatures& features) {
+void noteRun(const scene::Scene& scene, const scene::PrimitiveRun& run, SceneFeatures& features) {
+  const scene::Primitive& primitive = run.start;
   noteKind(primitive.kind, features);
   if (primitive.kind == scene::PrimitiveKind::sphere) {
-    features.insideOnly |= scene.spheres[primitive.index].radius < 0;
+    const std::span spheres = std::span(scene.spheres).subspan(primitive.index, scene.primitives.countOf(run));
+    features.insideOnly |= std::ranges::any_of(spheres, [](const scene::Sphere& s) { return s.radius < 0; });
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
@@ -64,9 +67,9 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
 SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator) {
   SceneFeatures features;
   std::vector<bool> used(scene.materials.size());
-  for (const scene::Primitive& primitive : scene.primitives) {
-    notePrimitive(scene, primitive, features);
-    used[primitive.material] = true;
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    noteRun(scene, run, features);
+    used[run.start.material] = true;
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) noteMaterial(scene.materials[i], integrator, features);

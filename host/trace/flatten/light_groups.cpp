@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host/image/film.h"
+#include "host/scene/placed_bounds.h"
 #include "host/scene/shape.h"
 #include "host/trace/flatten/light_table.h"
 
@@ -35,6 +36,11 @@ void add(const scene::Triangle& triangle, Extent& extent) {
   for (const glm::vec3& corner : triangle.p) extent.add(dvec3(corner), 0);
 }
 
+void add(const scene::Bounds& box, Extent& extent) {
+  extent.add(dvec3(box.min), 0);
+  extent.add(dvec3(box.max), 0);
+}
+
 void add(const scene::Box& box, Extent& extent) {
   extent.add(dvec3(box.min), 0);
   extent.add(dvec3(box.max), 0);
@@ -51,8 +57,16 @@ void add(const scene::Plane&, Extent&) {}
 // The square of half the diagonal of the box around everything that is bounded; 0 if nothing is.
 double squaredRadius(const scene::Scene& scene) {
   Extent extent;
-  for (const scene::Primitive& primitive : scene.primitives) {
-    std::visit([&](const auto& shape) { add(shape, extent); }, shapeOf(scene, primitive));
+  scene::PlacedBounds placed(scene);
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    if (run.start.isPlaced()) {
+      add(placed.of(run), extent);
+      continue;
+    }
+    const std::uint32_t end = run.first + scene.primitives.countOf(run);
+    for (std::uint32_t i = run.first; i < end; ++i) {
+      std::visit([&](const auto& shape) { add(shape, extent); }, shapeOf(scene, run.at(i)));
+    }
   }
   const dvec3 diagonal = extent.high - extent.low;
   return diagonal.x >= 0 ? glm::dot(diagonal, diagonal) / 4 : 0;

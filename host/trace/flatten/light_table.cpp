@@ -17,9 +17,8 @@ constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the r
 constexpr std::size_t kUnhitGroup = 1;          // lights without extent, which no ray hits
 constexpr double kMinPart = 0.2;                // lowest weight of such a light, relative to their mean
 
-// Returns nothing for primitives that light sampling does not choose.
+// Returns nothing for primitives that light sampling does not choose. The material emits.
 std::optional<LightKind> emitterKind(const scene::Scene& scene, const scene::Primitive& primitive) {
-  if (!isEmissive(scene.materials[primitive.material])) return std::nullopt;
   if (primitive.kind == scene::PrimitiveKind::sphere && scene.spheres[primitive.index].radius != 0) {
     return LightKind::sphere;
   }
@@ -111,8 +110,12 @@ std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmit
     weights.push_back(lightPower(scene, kind, index));
     sums[groupOf(kind)] += weights.back();
   };
-  for (std::uint32_t i = 0; withEmitters && i < scene.primitives.size(); ++i) {
-    if (const std::optional<LightKind> kind = emitterKind(scene, scene.primitives[i])) add(*kind, i);
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    if (!withEmitters || !isEmissive(scene.materials[run.start.material])) continue;
+    const std::uint32_t end = run.first + scene.primitives.countOf(run);
+    for (std::uint32_t i = run.first; i < end; ++i) {
+      if (const std::optional<LightKind> kind = emitterKind(scene, run.at(i))) add(*kind, i);
+    }
   }
   for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) add(LightKind::point, i);
   for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "host/scene/shape.h"
+#include "host/scene/stored_primitives.h"
 #include "host/trace/flatten/overlap.h"
 
 namespace candela::flatten {
@@ -151,12 +152,13 @@ LightPositions lightPositions(const scene::Scene& scene, std::span<const LightEn
 std::vector<bool> touchedPrimitives(const scene::Scene& scene, const LightPositions& lights) {
   const std::size_t lightCount = lights.points.size() + lights.triangles.size();
   const double comparisons = static_cast<double>(lightCount) * static_cast<double>(scene.primitives.size());
-  std::vector<bool> touched(scene.primitives.size(), comparisons > kMaxComparisons);
+  const scene::StoredPrimitives stored(scene.primitives);
+  std::vector<bool> touched(stored.count(), comparisons > kMaxComparisons);
   if (lightCount == 0 || comparisons > kMaxComparisons) return touched;
-  for (std::uint32_t i = 0; i < touched.size(); ++i) {
+  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
     const scene::Shape shape = shapeOf(scene, scene.primitives[i]);
     const std::vector<FlatShape> parts = std::visit(FlatParts(), shape);
-    touched[i] = holdsPoint(shape, parts, lights) || holdsTriangle(shape, i, parts, lights);
+    if (holdsPoint(shape, parts, lights) || holdsTriangle(shape, i, parts, lights)) touched[stored.indexOf(i)] = true;
   }
   return touched;
 }

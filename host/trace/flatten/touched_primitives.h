@@ -31,10 +31,11 @@ struct LightPositions {
 LightPositions lightPositions(const scene::Scene& scene, std::span<const LightEntry> table,
                               const render::ImageSettings& image);
 
-/// Returns for each primitive whether it may contain a light other than itself, judged by twice the margin. A triangle
-/// that emits counts if all of it lies on the surface and the interiors overlap: otherwise a sampled point lies within
-/// the rounding of the surface with a probability of about 10^-6. The result holds for every position of the camera. If
-/// lights and primitives are too many to be compared, it is true for all.
+/// Returns by number in scene::StoredPrimitives whether a primitive may contain a light other than itself, in some
+/// instance if it belongs to instances. This is judged by twice the margin. A triangle that emits counts if all of it
+/// lies on the surface and the interiors overlap: otherwise a sampled point lies within the rounding of the surface
+/// with a probability of about 10^-6. The result holds for every position of the camera. If lights and primitives are
+/// too many to be compared, it is true for all.
 std::vector<bool> touchedPrimitives(const scene::Scene& scene, const LightPositions& lights);
 
 }  // namespace candela::flatten
