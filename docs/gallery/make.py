@@ -41,6 +41,9 @@ PICTURES_OF_PAGE = [
     Picture("still_life", "A still life in the afternoon",
             "Metal, coat, glass and textures under a computed sky, which is sampled as a light.",
             "still-life", 256, options=["--env", "sun:18,215,3"]),
+    Picture("forest", "A forest in autumn",
+            "2,000 trees, instances of five models: 19 million triangles in a file of 9 MB.",
+            "forest", 128, size="480x270", options=["--env", "sun:24,240,3"]),
     Picture("marbles", "Marbles through a wide lens",
             "The thin lens blurs everything that is not at the distance of the large marbles; glass focuses both lights on the floor.",
             "docs/gallery/marbles.p3f", 96, size="480x300"),
@@ -99,7 +102,7 @@ def is_generated(picture):
 
 
 def suffix_of(picture):
-    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants")) else ".p3f"
+    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants", "forest")) else ".p3f"
 
 
 def run(words):

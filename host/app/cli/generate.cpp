@@ -38,9 +38,11 @@ std::uint32_t sizeFor(const Kind& kind, const GenerateArguments& arguments) {
   const std::uint32_t size = arguments.size.value_or(kind.defaultSize);
   const std::uint32_t largest = kind.maxSize();
   if (size >= kind.minSize && size <= largest) return size;
-  fail(fmt::format(
-      "--size: expected a whole number from {} to {} for {}, got {}; larger scenes have more than {} primitives",
-      kind.minSize, largest, kind.name, size, generate::kMaxPrimitives));
+  const std::string reason = kind.maxInstances > 0 ? ""
+                                                   : fmt::format("; larger scenes have more than {} primitives",
+                                                                 generate::kMaxPrimitives);
+  fail(fmt::format("--size: expected a whole number from {} to {} for {}, got {}{}", kind.minSize, largest, kind.name,
+                   size, reason));
 }
 
 }  // namespace

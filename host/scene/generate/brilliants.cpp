@@ -2,18 +2,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "host/scene/generate/gltf_material.h"
 #include "host/scene/generate/gltf_scenes.h"
 #include "host/scene/generate/lathe.h"
+#include "host/scene/generate/rotation.h"
 
 namespace candela::generate {
 namespace {
 
 using glm::dvec3;
 
-constexpr double kTurn = 2 * std::numbers::pi;
 // Proportions of a round brilliant, relative to the radius of its girdle.
 constexpr double kTableRadius = 0.57, kCrownHeight = 0.325, kGirdleHeight = 0.04, kPavilionDepth = 0.862;
 constexpr double kStar = 0.5;    // length of the star facets along the bezels

@@ -56,23 +56,30 @@ std::size_t GltfDocument::addAccessor(const void* data, std::size_t bytes, const
   return root_["accessors"].size() - 1;
 }
 
+template <class Vector>
+std::size_t GltfDocument::addFloats(const std::vector<Vector>& values, const char* type) {
+  return addAccessor(values.data(), values.size() * sizeof(Vector),
+                     {{"componentType", kFloat}, {"count", values.size()}, {"type", type}});
+}
+
+void GltfDocument::addToScene(Json node) {
+  root_["nodes"].push_back(std::move(node));
+  root_["scenes"][0]["nodes"].push_back(root_["nodes"].size() - 1);
+}
+
 std::size_t GltfDocument::addShape(const TriangleMesh& mesh) {
   glm::vec3 low(mesh.positions.front()), high(low);
   for (const glm::vec3& position : mesh.positions) {
     low = min(low, position);
     high = max(high, position);
   }
-  const auto count = mesh.positions.size();
-  const auto floats = [&](const auto& values, const char* type) {
-    return addAccessor(values.data(), values.size() * sizeof(values[0]),
-                       {{"componentType", kFloat}, {"count", count}, {"type", type}});
-  };
   Shape shape;
-  shape.attributes["POSITION"] = floats(mesh.positions, "VEC3");
+  shape.attributes["POSITION"] = addFloats(mesh.positions, "VEC3");
   root_["accessors"].back()["min"] = list(low);
   root_["accessors"].back()["max"] = list(high);
-  shape.attributes["NORMAL"] = floats(mesh.normals, "VEC3");
-  if (!mesh.texCoords.empty()) shape.attributes["TEXCOORD_0"] = floats(mesh.texCoords, "VEC2");
+  shape.attributes["NORMAL"] = addFloats(mesh.normals, "VEC3");
+  if (!mesh.texCoords.empty()) shape.attributes["TEXCOORD_0"] = addFloats(mesh.texCoords, "VEC2");
+  if (!mesh.colours.empty()) shape.attributes["COLOR_0"] = addFloats(mesh.colours, "VEC3");
   shape.indices = addAccessor(mesh.indices.data(), mesh.indices.size() * sizeof(mesh.indices[0]),
                               {{"componentType", kUnsignedInt}, {"count", mesh.indices.size()}, {"type", "SCALAR"}});
   shapes_.push_back(shape);
@@ -90,12 +97,35 @@ std::size_t GltfDocument::addTexture(std::uint32_t width, std::uint32_t height, 
   return root_["textures"].size() - 1;
 }
 
+std::size_t GltfDocument::addMesh(std::span<const MeshPart> parts) {
+  Json primitives = Json::array();
+  for (const MeshPart& part : parts) {
+    const Shape& shape = shapes_[part.shape];
+    primitives.push_back({{"attributes", shape.attributes}, {"indices", shape.indices}, {"material", part.material}});
+  }
+  root_["meshes"].push_back({{"primitives", std::move(primitives)}});
+  return root_["meshes"].size() - 1;
+}
+
 void GltfDocument::addNode(std::size_t shape, std::size_t material, const glm::dvec3& translation) {
-  root_["meshes"].push_back({{"primitives", Json::array({{{"attributes", shapes_[shape].attributes},
-                                                          {"indices", shapes_[shape].indices},
-                                                          {"material", material}}})}});
-  root_["nodes"].push_back({{"mesh", root_["meshes"].size() - 1}, {"translation", list(translation)}});
-  root_["scenes"][0]["nodes"].push_back(root_["nodes"].size() - 1);
+  const MeshPart part{shape, material};
+  addToScene({{"mesh", addMesh({&part, 1})}, {"translation", list(translation)}});
+}
+
+void GltfDocument::addInstances(std::size_t mesh, std::span<const MeshInstance> places) {
+  if (places.empty()) return;
+  std::vector<glm::vec3> translations, scales;
+  std::vector<glm::vec4> rotations;  // quaternions about the y axis
+  for (const MeshInstance& place : places) {
+    translations.emplace_back(place.translation);
+    rotations.emplace_back(0, std::sin(place.turn / 2), 0, std::cos(place.turn / 2));
+    scales.emplace_back(place.scale);
+  }
+  const Json attributes = {{"TRANSLATION", addFloats(translations, "VEC3")},
+                           {"ROTATION", addFloats(rotations, "VEC4")},
+                           {"SCALE", addFloats(scales, "VEC3")}};
+  addToScene({{"mesh", mesh}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", attributes}}}}}});
+  hasInstances_ = true;
 }
 
 void GltfDocument::addCamera(const glm::dvec3& from, const glm::dvec3& at, double angle, double aspect) {
@@ -105,15 +135,15 @@ void GltfDocument::addCamera(const glm::dvec3& from, const glm::dvec3& at, doubl
   const glm::dvec3 back = normalize(from - at);
   const glm::dvec3 right = normalize(cross(glm::dvec3(0, 1, 0), back));
   const glm::dvec3 up = cross(back, right);
-  root_["nodes"].push_back({{"camera", root_["cameras"].size() - 1},
-                            {"matrix", Json::array({right.x, right.y, right.z, 0, up.x, up.y, up.z, 0, back.x, back.y,
-                                                    back.z, 0, from.x, from.y, from.z, 1})}});
-  root_["scenes"][0]["nodes"].push_back(root_["nodes"].size() - 1);
+  addToScene({{"camera", root_["cameras"].size() - 1},
+              {"matrix", Json::array({right.x, right.y, right.z, 0, up.x, up.y, up.z, 0, back.x, back.y, back.z, 0,
+                                      from.x, from.y, from.z, 1})}});
 }
 
 std::string GltfDocument::text() const {
   Json root = root_;
-  const std::set<std::string> extensions = extensionsOf(root_.at("materials"));
+  std::set<std::string> extensions = extensionsOf(root_.at("materials"));
+  if (hasInstances_) extensions.insert("EXT_mesh_gpu_instancing");
   if (!extensions.empty()) root["extensionsUsed"] = extensions;
   root["buffers"] = Json::array(
       {{{"byteLength", binary_.size()}, {"uri", "data:application/octet-stream;base64," + base64(binary_)}}});

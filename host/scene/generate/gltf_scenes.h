@@ -1,5 +1,5 @@
 // The generators of glTF scenes: for each kind, its number of triangles and its content. Sizes are those of the table
-// of kinds: the number of steps from pole to pole of each ball.
+// of kinds: the number of steps from pole to pole of each ball, where nothing else is said.
 #pragma once
 #include <cstdint>
 
@@ -27,5 +27,9 @@ void writeBrilliants(NffWriter& out, std::uint32_t size);
 /// A glazed vase, a tumbler, a bowl and balls of glass, gold, copper and plastic on tiles.
 std::uint64_t stillLifePrimitives(std::uint32_t size);
 void writeStillLife(NffWriter& out, std::uint32_t size);
+
+/// Trees of five species, as many as the size says, around a lake between hills.
+std::uint64_t forestPrimitives(std::uint32_t size);
+void writeForest(NffWriter& out, std::uint32_t size);
 
 }  // namespace candela::generate

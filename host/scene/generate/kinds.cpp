@@ -9,6 +9,7 @@
 namespace candela::generate {
 
 std::uint32_t Kind::maxSize() const {
+  if (maxInstances > 0) return maxInstances;
   std::uint32_t size = minSize;
   while (primitiveCount(size + 1) <= kMaxPrimitives) ++size;
   return size;
@@ -17,7 +18,7 @@ std::uint32_t Kind::maxSize() const {
 std::span<const Kind> kindTable() {
   // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
   // 70,000 and 20,000 triangles.
-  static constexpr std::array<Kind, 19> table{{
+  static constexpr std::array<Kind, 20> table{{
       {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -42,6 +43,8 @@ std::span<const Kind> kindTable() {
        writeBrilliants, true},
       {"still-life", "glTF: a vase, glasses, a bowl and balls on tiles, for --env", 8, 64, stillLifePrimitives,
        writeStillLife, true},
+      {"forest", "glTF: trees around a lake, instances of five models, for --env", 1, 2000, forestPrimitives,
+       writeForest, true, 50'000},
   }};
   return table;
 }

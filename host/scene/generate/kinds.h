@@ -8,7 +8,7 @@
 
 namespace candela::generate {
 
-/// Maximum number of primitives, so that every scene fits into a file that can be read (1 GiB).
+/// Maximum number of primitives that a file stores, so that every scene fits into a file that can be read (1 GiB).
 inline constexpr std::uint64_t kMaxPrimitives = 6'000'000;
 
 struct Kind {
@@ -19,8 +19,11 @@ struct Kind {
   std::uint64_t (*primitiveCount)(std::uint32_t size);  ///< number of primitives as traced; grows with size
   void (*write)(NffWriter& out, std::uint32_t size);
   bool isGltf = false;  ///< the scene is written as glTF (JSON), else as NFF
+  /// Maximum size of a kind with instances, whose file grows by one instance for each step of the size; 0: a kind whose
+  /// file stores all of its primitives.
+  std::uint32_t maxInstances = 0;
 
-  /// Returns the maximum size, with at most kMaxPrimitives primitives.
+  /// Returns the maximum size: `maxInstances`, else the one with at most kMaxPrimitives primitives.
   std::uint32_t maxSize() const;
 };
 

@@ -1,24 +1,19 @@
 // Value noise on a lattice of hashed integers.
 #include "host/scene/generate/value_noise.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "host/scene/generate/hash_sequence.h"
 
 namespace candela::generate {
 namespace {
 
-/// A permutation of 32-bit integers that mixes all bits (C. Wellons, "Prospecting for Hash Functions", 2018:
-/// lowbias32).
-std::uint32_t mixed(std::uint32_t x) {
-  x = (x ^ (x >> 16)) * 0x7feb352du;
-  x = (x ^ (x >> 15)) * 0x846ca68bu;
-  return x ^ (x >> 16);
-}
-
 /// Returns a uniform value in [0, 1).
 double latticeValue(const glm::ivec3& point, std::uint32_t seed) {
   constexpr std::uint32_t kNotZero = 0x9e3779b9u;  // 0 is a fixed point of the permutation
-  std::uint32_t hash = mixed(seed + kNotZero);
-  for (int axis = 0; axis < 3; ++axis) hash = mixed(hash ^ static_cast<std::uint32_t>(point[axis]));
+  std::uint32_t hash = mixedBits(seed + kNotZero);
+  for (int axis = 0; axis < 3; ++axis) hash = mixedBits(hash ^ static_cast<std::uint32_t>(point[axis]));
   return hash * 0x1p-32;
 }
 
@@ -45,6 +40,11 @@ double fractalNoise(const glm::dvec3& point, std::uint32_t octaves) {
     total += 1 / frequency;
   }
   return sum / total;
+}
+
+double smoothStep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
 }
 
 }  // namespace candela::generate

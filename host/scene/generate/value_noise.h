@@ -13,4 +13,7 @@ double valueNoise(const glm::dvec3& point, std::uint32_t seed);
 /// half the weight of the one before. At most 31 octaves, and coordinates such that those of the last stay in range.
 double fractalNoise(const glm::dvec3& point, std::uint32_t octaves);
 
+/// Returns 0 below `low`, 1 above `high`, and between them a cubic polynomial with level ends.
+double smoothStep(double low, double high, double x);
+
 }  // namespace candela::generate

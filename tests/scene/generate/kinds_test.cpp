@@ -1,5 +1,6 @@
 // The table of kinds: ranges, limits, scenes that can be loaded.
 #include <catch2/catch.hpp>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -22,11 +23,21 @@ TEST_CASE("kinds have different names, a summary, and a default within their siz
 TEST_CASE("the maximum size of a kind is the last one within the limit of primitives") {
   for (const generate::Kind& kind : generate::kindTable()) {
     CAPTURE(kind.name);
+    if (kind.maxInstances > 0) continue;
     CHECK(kind.primitiveCount(kind.maxSize()) <= generate::kMaxPrimitives);
     CHECK(kind.primitiveCount(kind.maxSize() + 1) > generate::kMaxPrimitives);
   }
   CHECK(kindNamed("balls").maxSize() == 7);
   CHECK(kindNamed("mount").maxSize() == 10);
+}
+
+TEST_CASE("the largest scenes of kinds with instances have no more primitives than can be numbered") {
+  for (const generate::Kind& kind : generate::kindTable()) {
+    if (kind.maxInstances == 0) continue;
+    CAPTURE(kind.name);
+    CHECK(kind.maxSize() >= 20'000);
+    CHECK(kind.primitiveCount(kind.maxSize()) <= std::uint64_t{std::numeric_limits<std::int32_t>::max()});
+  }
 }
 
 TEST_CASE(
