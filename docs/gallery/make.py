@@ -44,6 +44,9 @@ PICTURES_OF_PAGE = [
     Picture("forest", "A forest in autumn",
             "2,000 trees, instances of five models: 19 million triangles in a file of 9 MB.",
             "forest", 128, size="480x270", options=["--env", "sun:24,240,3"]),
+    Picture("city", "A city in the afternoon",
+            "1,000 buildings with windows, balconies and cornices, instances of five models: 11 million triangles in a file of 5 MB.",
+            "city", 96, size="480x270", options=["--env", "sun:20,228,3"]),
     Picture("marbles", "Marbles through a wide lens",
             "The thin lens blurs everything that is not at the distance of the large marbles; glass focuses both lights on the floor.",
             "docs/gallery/marbles.p3f", 96, size="480x300"),
@@ -102,7 +105,7 @@ def is_generated(picture):
 
 
 def suffix_of(picture):
-    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants", "forest")) else ".p3f"
+    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants", "forest", "city")) else ".p3f"
 
 
 def run(words):

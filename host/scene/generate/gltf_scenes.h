@@ -32,4 +32,8 @@ void writeStillLife(NffWriter& out, std::uint32_t size);
 std::uint64_t forestPrimitives(std::uint32_t size);
 void writeForest(NffWriter& out, std::uint32_t size);
 
+/// Buildings of five models, as many as the size says, along the streets of a city with a tall centre.
+std::uint64_t cityPrimitives(std::uint32_t size);
+void writeCity(NffWriter& out, std::uint32_t size);
+
 }  // namespace candela::generate

@@ -18,7 +18,7 @@ std::uint32_t Kind::maxSize() const {
 std::span<const Kind> kindTable() {
   // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
   // 70,000 and 20,000 triangles.
-  static constexpr std::array<Kind, 20> table{{
+  static constexpr std::array<Kind, 21> table{{
       {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -45,6 +45,8 @@ std::span<const Kind> kindTable() {
        writeStillLife, true},
       {"forest", "glTF: trees around a lake, instances of five models, for --env", 1, 2000, forestPrimitives,
        writeForest, true, 50'000},
+      {"city", "glTF: streets of buildings, instances of five models, for --env", 1, 1000, cityPrimitives, writeCity,
+       true, 50'000},
   }};
   return table;
 }
