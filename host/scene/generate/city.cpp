@@ -195,7 +195,7 @@ void writeCity(NffWriter& out, std::uint32_t size) {
   addRepeated(document, dash(), dvec3(0.7), plan.dashes);
   addCars(document, plan.cars);
   addStreetTrees(document, plan.trees);
-  document.addCamera({3, 52, 262}, {26, 49, -210}, 40, 16.0 / 9);
+  document.addCamera({3, 54, 262}, {26, 68, -210}, 42, 16.0 / 9);
   out.text(document.text());
 }
 

@@ -99,7 +99,7 @@ void addAvenue(CityPlan& plan) {
       }
       for (const double x : {2.1, 5.8, 10.2}) {
         const bool isParked = x > 9;
-        if (random.next() > (isParked ? 0.55 : 0.3) || (isParked && isJunction(z))) continue;
+        if (random.next() > (isParked ? 0.45 : 0.22) || (isParked && isJunction(z))) continue;
         plan.cars.push_back(
             {{side * x + random.between(-0.2, 0.2), 0, z + random.between(-1.5, 1.5)}, side * kTurn / 4});
       }

@@ -45,8 +45,9 @@ double spacing(const dvec2& place) { return 2.7 + 3.8 * smoothStep(0.5, 0.72, fr
 
 // Returns whether nothing stands in the view of the lake, and the ground bears trees.
 bool isWoodland(const LakeValley& valley, const dvec2& place) {
-  const double ahead = kEyePlace.y - place.y, aside = std::abs(place.x - kEyePlace.x);
-  const bool isInView = ahead > -7 && ahead < 120 && aside < 5.5 + 0.4 * std::max(ahead, 0.0);
+  const double ahead = kEyePlace.y - place.y, aside = place.x - kEyePlace.x;
+  const double opening = (aside < 0 ? 0.25 : 0.42) * std::max(ahead, 0.0);  // trees on the left frame the view
+  const bool isInView = ahead > -7 && ahead < 120 && std::abs(aside) < 4.5 + opening;
   const double shore = LakeValley::shoreDistance(place);
   return shore > 3 && !(isInView && shore < 60 && place.y > -70) && valley.contains(place) && valley.slopeAt(place) < 1;
 }
@@ -171,7 +172,7 @@ std::vector<Tree> plantTrees(const LakeValley& valley, std::uint32_t count) {
       if (!isKept(valley, candidate, x, y)) continue;
       const double edge = 0.75 + 0.5 * fractalNoise({candidate.place / 80.0, 17.5}, 3);
       const dvec2 offset = candidate.place - centre;
-      const double behind = std::max(0.0, offset.y - 110);
+      const double behind = std::max(0.0, offset.y - 165);
       ranked.push_back({length(dvec2(offset.x, offset.y + 2 * behind)) * edge, candidate});
     }
   }
@@ -248,7 +249,7 @@ void writeForest(NffWriter& out, std::uint32_t size) {
     addInstances(document, rock(static_cast<std::uint32_t>(shape)),
                  addMatte(document, grey * dvec3(1, 0.96, 0.9), 0.85), places);
   }
-  addInstances(document, grassTuft(kBlades, 1), addMatte(document, {0.26, 0.28, 0.06}, 0.7), placeTufts(valley));
+  addInstances(document, grassTuft(kBlades, 1), addMatte(document, {0.19, 0.215, 0.045}, 0.7), placeTufts(valley));
   const dvec3 eye(kEyePlace.x, valley.heightAt(kEyePlace) + kEyeHeight, kEyePlace.y);
   document.addCamera(eye, {5, 11, -105}, 38, 16.0 / 9);
   out.text(document.text());

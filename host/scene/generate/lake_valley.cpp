@@ -71,14 +71,14 @@ dvec3 colourOfGround(const dvec2& place, double height, double slope) {
   const dvec3 floor = mix(dvec3(0.075, 0.07, 0.03), dvec3(0.15, 0.1, 0.04), smoothStep(0.35, 0.65, wide));
   const dvec3 beach = mix(dvec3(0.2, 0.17, 0.12), dvec3(0.12, 0.105, 0.075), patches);
   const dvec3 rock = mix(dvec3(0.22, 0.21, 0.2), dvec3(0.33, 0.31, 0.29), patches);
-  const dvec3 distant = mix(dvec3(0.028, 0.05, 0.026), dvec3(0.075, 0.085, 0.03), smoothStep(0.35, 0.7, wide));
+  const dvec3 distant = mix(dvec3(0.018, 0.034, 0.016), dvec3(0.06, 0.06, 0.02), smoothStep(0.35, 0.7, wide));
   dvec3 colour = mix(grass, floor, smoothStep(25, 60, length(place)));
-  colour = mix(colour, distant, smoothStep(120, 500, length(place)));
+  colour = mix(colour, distant, smoothStep(100, 300, length(place)));
   const double snow = smoothStep(240, 330, height + 130 * wide - 60 * slope) * smoothStep(1.15, 0.8, slope);
   colour = mix(colour, rock, smoothStep(0.55, 0.9, slope + 0.3 * patches));
   colour = mix(colour, dvec3(0.75, 0.78, 0.82), snow);
   colour = mix(beach, colour, smoothStep(0.3, 2.5, shore + 3 * (patches - 0.5)));
-  const double haze = 1 - std::exp(-length(place) / 4500);
+  const double haze = 1 - std::exp(-length(place) / 6000);
   return mix(colour, dvec3(0.36, 0.46, 0.58), haze);
 }
 
