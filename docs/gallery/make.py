@@ -46,7 +46,7 @@ PICTURES_OF_PAGE = [
             "forest --size 20000", 64, size="480x270", options=["--env", "sun:24,240,3"]),
     Picture("city", "A city in the afternoon",
             "1,000 buildings with windows, balconies and cornices, instances of five models: 11 million triangles in a file of 5 MB.",
-            "city", 96, size="480x270", options=["--env", "sun:20,228,3"]),
+            "city", 96, size="480x270", options=["--env", "sun:22,235,3"]),
     Picture("marbles", "Marbles through a wide lens",
             "The thin lens blurs everything that is not at the distance of the large marbles; glass focuses both lights on the floor.",
             "docs/gallery/marbles.p3f", 96, size="480x300"),

@@ -62,8 +62,8 @@ class BuildingBuilder {
   // Adds a level roof behind a parapet.
   void addFlatRoof(double halfWidth) {
     constexpr double kThickness = 0.35, kParapet = 0.9;
-    const double w = halfWidth, y = height_;
-    appendQuad(part(BuildingPart::roof), {-w, y, w}, {w, y, w}, {w, y, -w}, {-w, y, -w});
+    const double w = halfWidth, y = height_, roof = y + 0.04;  // not in the plane of the cornice
+    appendQuad(part(BuildingPart::roof), {-w, roof, w}, {w, roof, w}, {w, roof, -w}, {-w, roof, -w});
     for (const double sign : {-1.0, 1.0}) {
       const double outer = sign * w, inner = sign * (w - kThickness);
       const double low = std::min(outer, inner), high = std::max(outer, inner);

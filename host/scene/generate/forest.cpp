@@ -21,7 +21,8 @@ using glm::dvec3;
 constexpr double kCell = 2.4;   // of the grid of candidates for trees, in metres
 constexpr int kNeighbours = 3;  // cells to each side that may hold a tree that is too close
 constexpr dvec2 kEyePlace{0, 0};
-constexpr double kEyeHeight = 4.5;  // above the ground
+constexpr double kClearRadius = 14;  // around the camera
+constexpr double kEyeHeight = 4.5;   // above the ground
 constexpr std::uint32_t kTreeSeed = 11, kRockSeed = 12, kTuftSeed = 13;
 constexpr std::size_t kRockShapes = 3;
 constexpr std::uint32_t kBlades = 46;  // of a tuft of grass
@@ -49,6 +50,7 @@ bool isWoodland(const LakeValley& valley, const dvec2& place) {
   const double opening = (aside < 0 ? 0.25 : 0.42) * std::max(ahead, 0.0);  // trees on the left frame the view
   const bool isInView = ahead > -7 && ahead < 120 && std::abs(aside) < 4.5 + opening;
   const double shore = LakeValley::shoreDistance(place);
+  if (length(place - kEyePlace) < kClearRadius) return false;
   return shore > 3 && !(isInView && shore < 60 && place.y > -70) && valley.contains(place) && valley.slopeAt(place) < 1;
 }
 

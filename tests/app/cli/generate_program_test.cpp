@@ -65,6 +65,9 @@ TEST_CASE("a size out of the kind's range is refused with the range and the reas
     CHECK(contains(result.err, "6000000 primitives"));
   }
   CHECK(runCandela({"generate", "terrain", "--size", "1"}).exitCode == 1);
+  const ProgramResult trees = runCandela({"generate", "forest", "--size", "50001"});
+  CHECK(trees.exitCode == 1);
+  CHECK(contains(trees.err, "expected a whole number from 1 to 50000 for forest, got 50001\n"));
   CHECK(folder.fileCount() == 0);
 }
 
