@@ -23,6 +23,10 @@ TEST_CASE("instances of the same triangles are stored once, and all other primit
   CHECK(stored.indexOf(14) == 6);
   CHECK(stored.indexOf(18) == 13);
   CHECK(stored.indexOf(23) == 18);
+  CHECK(stored.primitiveOf(4) == 4);
+  CHECK(stored.primitiveOf(6) == 6);
+  CHECK(stored.primitiveOf(13) == 18);
+  CHECK(stored.primitiveOf(18) == 23);
   CHECK(stored.isFirst(1));
   CHECK_FALSE(stored.isFirst(3));
   CHECK(stored.firstOf(3) == 5);

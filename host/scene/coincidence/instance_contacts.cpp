@@ -21,7 +21,7 @@ using Pair = InstanceContacts::Pair;
 constexpr std::uint64_t kMaxInstanceWork = 1u << 29;   // between instances
 constexpr std::uint64_t kMaxWorkPerSurface = 1u << 9;  // within a mesh, and of a pair of instances
 constexpr std::uint64_t kWorkOfPlacedTest = 32;        // of two surfaces
-constexpr std::uint64_t kMaxTestsPerSurface = 8;       // of triangles of a mesh in its instances
+constexpr std::uint64_t kMaxTestsPerSurface = 16;      // of triangles of a mesh in its instances
 
 // Triangles that instances share, in a tree in the space of their mesh.
 struct SharedTriangles {

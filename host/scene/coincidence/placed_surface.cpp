@@ -45,7 +45,10 @@ double stretchOf(const dmat3& m) {
   return std::sqrt(mean + 2 * spread * std::cos(std::acos(half) / 3));
 }
 
-double largestOf(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
+template <class Vector>
+auto largestOf(const Vector& v) {
+  return std::max({v.x, v.y, v.z});
+}
 
 dmat3 magnitudesOf(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
 
@@ -107,7 +110,7 @@ class PlaneOf {
         // Equal vertices of a mesh are equal in each instance.
         if (b.corners[k] == a.corners[i] || b.corners[k] == a.corners[next]) continue;
         const double depth = side > 0 ? line.distanceTo(ofB[k]) : -line.distanceTo(ofB[k]);
-        isSeparate = depth <= -errorOf(line, ofB[k]);
+        isSeparate = depth <= -errorOf(line, ofB[k]) || isWithinTolerance(line, ofB[k], std::max(depth, 0.0));
       }
       if (isSeparate) return true;
     }
@@ -124,6 +127,8 @@ class PlaneOf {
         : from(start), edge(end - start), length(glm::length(glm::dvec2(edge))) {}
 
     double distanceTo(const dvec3& p) const { return cross2(edge, p - from) / length; }
+    double along(const dvec3& p) const { return dot(glm::dvec2(edge), glm::dvec2(p - from)) / (length * length); }
+    double above(const dvec3& p) const { return std::abs(p.z - from.z - along(p) * edge.z); }
   };
 
   // Returns the maximum error of the distance of a point from a line: by vertices that move, and by the angle at which
@@ -133,8 +138,15 @@ class PlaneOf {
     const double moved = stretch_ * tolerance_.vertex;
     const double turned = (2 * moved * (glm::length(glm::dvec2(offset)) + line.length) + 4 * moved * moved) /
                           line.length;
-    const double along = dot(glm::dvec2(line.edge), glm::dvec2(offset)) / (line.length * line.length);
-    return turned + stretch_ * tolerance_.condition * std::abs(offset.z - along * line.edge.z);
+    return turned + stretch_ * tolerance_.condition * line.above(p);
+  }
+
+  // Returns whether a point that is beyond a line by this depth is beyond it by at most e in every instance. This is so
+  // for the corners of neighbours in a flat mesh which are on a common line.
+  bool isWithinTolerance(const Line& line, const dvec3& p, double depth) const {
+    const double along = line.along(p);
+    const double moved = tolerance_.maxMoved * (1 + std::abs(along) + std::abs(1 - along));
+    return tolerance_.condition * (depth + stretch_ * line.above(p)) <= (1 - moved) * tolerance_.minPlane;
   }
 
   const MeshTriangle& owner_;
@@ -150,19 +162,22 @@ void PlacedTolerance::include(const PlacedTolerance& other) {
   plane = std::max(plane, other.plane);
   vertex = std::max(vertex, other.vertex);
   condition = std::max(condition, other.condition);
+  minPlane = std::min(minPlane, other.minPlane);
+  maxMoved = std::max(maxMoved, other.maxMoved);
 }
 
 PlacedTolerance toleranceOf(const Placement& placement, const vec3& low, const vec3& high) {
   const dmat3 linear = linearPartOf(placement);
   const dvec3 products = magnitudesOf(linear) * glm::max(glm::abs(dvec3(low)), glm::abs(dvec3(high)));
-  const dvec3 translation = glm::abs(translationOf(placement));
   vec3 placedLow = low, placedHigh = high;
   BoxPlacement{placement}(placedLow, placedHigh);
   const double reach = double{reachOf(std::array{placedLow, placedHigh})};
-  // Each product is rounded at most four times, and the sum with the translation once.
-  const double rounding = std::numbers::sqrt3 * kUnit * largestOf(5.0 * products + translation);
+  const double minReach = std::max({0.0f, largestOf(placedLow), largestOf(-placedHigh)});
+  // Each product is rounded, and so are three sums, of which the last one has the largest coordinate.
+  const double moved = std::numbers::sqrt3 * kUnit * (3 * largestOf(products) + reach);
   const double inverse = stretchOf(glm::inverse(linear));
-  return {kCoplanarTolerance * reach * inverse, rounding * inverse, stretchOf(linear) * inverse};
+  return {kCoplanarTolerance * reach * inverse, moved * inverse, stretchOf(linear) * inverse,
+          kCoplanarTolerance * minReach * inverse, moved / (kCoplanarTolerance * minReach)};
 }
 
 BoxPlacement::BoxPlacement(const Placement& placement)

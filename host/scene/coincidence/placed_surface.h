@@ -1,6 +1,7 @@
 // Surfaces of a mesh that may coincide once a placement has rounded their vertices.
 #pragma once
 #include <array>
+#include <cmath>
 #include <glm/glm.hpp>
 #include <optional>
 
@@ -9,12 +10,13 @@
 
 namespace candela::scene {
 
-/// How much two surfaces of a mesh may be apart, in the space of the mesh, and coincide where the mesh is placed. The
-/// tolerance for several placements has the maximum of each member.
+/// How much two surfaces of a mesh may be apart, in the space of the mesh, and coincide where the mesh is placed.
 struct PlacedTolerance {
-  double plane = 0;   ///< the tolerance of a plane: kCoplanarTolerance times the largest coordinate of the instance
+  double plane = 0;   ///< maximum of the tolerance e of overlapInPlane()
   double vertex = 0;  ///< maximum distance by which rounding moves a vertex
   double condition = 1;
+  double minPlane = INFINITY;  ///< minimum of e
+  double maxMoved = 0;  ///< maximum of the distance by which rounding moves a vertex of an instance, relative to e
 
   void include(const PlacedTolerance& other);
 };

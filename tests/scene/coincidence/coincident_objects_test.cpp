@@ -119,4 +119,24 @@ TEST_CASE("a scene whose search ended early says so") {
                                  "1 sphere of object scene coincides with 1 other sphere of the same object"});
 }
 
+TEST_CASE("instances are named with the numbers of their triangles, also where all of them are copies") {
+  SceneBuilder b;
+  b.material(test::diffuseMaterial(vec3(0.5f)));
+  const std::uint32_t mesh = storeMesh(
+      b.scene, {.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, .indices = {0, 1, 2, 0, 2, 3}});
+  const auto show = [&](const char* name, double x) {
+    b.scene.objectStarts.push_back(static_cast<std::uint32_t>(b.scene.primitives.size()));
+    b.scene.objectNames.emplace_back(name);
+    glm::dmat4 map(1);
+    map[3].x = x;
+    addInstance(b.scene, mesh, placementOf(map).value(), 0);
+  };
+  show("Tile", 0), show("Tile.001", 0), show("Tile.002", 0.5), show("Tile.003", 9);
+  CHECK(linesOf(b.scene) == std::vector<std::string>{
+                                "2 primitives in 2 pairs of objects",
+                                "2 triangles of node Tile.001 coincide with 2 triangles of node Tile",
+                                "2 triangles of node Tile.002 overlap 2 triangles of node Tile in one plane",
+                            });
+}
+
 }  // namespace candela::scene

@@ -109,7 +109,7 @@ class Crowd {
     const std::uint32_t mixed = storeMesh(b.scene, soup());
     for (int i = 0; i < 12; ++i) {
       b.material(diffuseMaterial(vec3(0.5f), vec3(i % 4 == 0 ? 1.0f : 0.0f)));
-      const dmat4 map = anyMap();
+      const dmat4 map = map_ = anyMap();
       show(b, i % 2 == 0 ? plain : mixed, map);
       if (seed % 5 == 1) show(b, i % 2 == 0 ? plain : mixed, map);                           // a copy
       if (seed % 5 == 2) show(b, plain, shifted(dvec3(map[3]) + 2.0 * dvec3(map[0]), map));  // a neighbour
@@ -119,7 +119,7 @@ class Crowd {
     }
     const auto p = [&] { return vec3(scale_ * dvec3(random(9), random(9), random(9))); };
     for (int i = 0; i < 20; ++i) b.triangle(p(), p(), p());
-    b.plane(p(), p(), p());
+    b.plane(onFace(map_, 0, 0), onFace(map_, 1, 0), onFace(map_, 0, 1));
   }
 
   SceneBuilder b;
@@ -159,14 +159,17 @@ class Crowd {
     return scene::placementOf(map) ? shifted(scale_ * (kind == 3 ? 100.0 : 1.0) * shift, map) : anyMap();
   }
 
-  // Adds a triangle in the plane of a face of the cube that this map places.
+  // Returns a point of a face of the cube that this map places.
+  static vec3 onFace(const dmat4& map, double x, double y) { return vec3(dvec3(map * glm::dvec4(x, y, 1, 1))); }
+
   void addDecal(const dmat4& map) {
-    const auto at = [&](double x, double y) { return vec3(dvec3(map * glm::dvec4(x, y, 1, 1))); };
-    b.triangle(at(random(1), random(1)), at(random(1), random(1)), at(random(1), random(1)));
+    const auto corner = [&] { return onFace(map, random(1), random(1)); };
+    b.triangle(corner(), corner(), corner());
   }
 
   std::mt19937 numbers_;
   double scale_;
+  dmat4 map_{1};  // of the last instance
 };
 
 }  // namespace
@@ -187,4 +190,100 @@ TEST_CASE("what coincides in the space of the scene is marked in instances of an
   CHECK(again.copies == found.copies);
   CHECK(again.overlaps == found.overlaps);
   CHECK(again.behindReach == found.behindReach);
+}
+
+TEST_CASE(
+    "a mesh that coincides with nothing has no marks, wherever it is shown, and a decal on one instance marks it") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0.5f)));
+  const std::uint32_t mesh = storeMesh(b.scene, cube(8));
+  for (int i = 0; i < 12; ++i) {
+    const double angle = 0.1 * i;
+    const dmat4 turned(glm::dvec4(std::cos(angle), std::sin(angle), 0, 0),
+                       glm::dvec4(-std::sin(angle), std::cos(angle), 0, 0), glm::dvec4(0, 0, 1, 0),
+                       glm::dvec4(0, 0, 0, 1));
+    show(b, mesh, shifted(dvec3(8 + 3.7 * i, 1.1, 0.3), turned));
+  }
+  CHECK(numbersOf(findCoincidences(b.scene).coincident).empty());
+  b.triangle({8, 1.1f, 1.3f}, {8.3f, 1.1f, 1.3f}, {8, 1.3f, 1.3f});  // on the first instance
+  const Coincidences found = findCoincidences(b.scene);
+  CHECK(numbersOf(found.coincident).size() > 2);
+  CHECK(numbersOf(found.coincident).size() < 20);
+  CHECK(found.overlaps.size() == numbersOf(found.coincident).size() - 1);
+}
+
+TEST_CASE("layers of a mesh that are apart coincide where an instance of it is small and far from the origin") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0.5f)));
+  scene::Mesh layers;
+  for (const float height : {0.0f, 0.25f}) {
+    for (const vec3& p : {vec3(-9, -9, height), vec3(9, -9, height), vec3(0, 9, height)}) {
+      layers.indices.push_back(static_cast<std::uint32_t>(layers.positions.size()));
+      layers.positions.push_back(p);
+    }
+  }
+  const std::uint32_t mesh = storeMesh(b.scene, layers);
+  const dmat4 small(glm::dvec4(1e-4, 0, 0, 0), glm::dvec4(0, 1e-4, 0, 0), glm::dvec4(0, 0, 1e-4, 0),
+                    glm::dvec4(0, 0, 0, 1));
+  show(b, mesh, dmat4(1));
+  show(b, mesh, shifted(dvec3(0, 0, 20), small));
+  CHECK(numbersOf(findCoincidences(b.scene).coincident).empty());
+  show(b, mesh, shifted(dvec3(100, 0, 0), small));
+  show(b, mesh, shifted(dvec3(30, 0, 0)));
+  CHECK(findCoincidences(b.scene).coincident == std::vector<bool>{true, true});
+}
+
+TEST_CASE("many instances at one place are copies of the first one") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0.5f)));
+  const std::uint32_t mesh = storeMesh(b.scene, cube(2));
+  show(b, mesh, shifted(dvec3(9, 0, 0)));
+  for (int i = 0; i < 500; ++i) show(b, mesh, dmat4(1));
+  const Coincidences found = findCoincidences(b.scene);
+  CHECK(found.copies.empty());
+  CHECK(found.copiedRuns.size() == 499);
+  CHECK(found.copiedRuns.front() == Coincidences::Pair(1, 2));
+  CHECK(numbersOf(found.coincident).size() == 48);
+}
+
+TEST_CASE("what is behind an emitting instance is marked, and an instance that emits by its own material is not dark") {
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0.5f))).material(diffuseMaterial(vec3(0), vec3(1)));
+  scene::Mesh square;
+  square.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+  square.indices = {0, 1, 2, 0, 2, 3};
+  const std::uint32_t lamp = storeMesh(b.scene, square);
+  addInstance(b.scene, lamp, scene::placementOf(shifted(dvec3(0, 0, 7))).value(), 1);
+  addInstance(b.scene, lamp, scene::placementOf(shifted(dvec3(0, 0, -7))).value(), 1);
+  addMesh(b.scene, {.positions = {{-9, -9, 7}, {9, -9, 7}, {0, 9, 7}}, .indices = {0, 1, 2}}, 0);
+  const Coincidences found = findCoincidences(b.scene);
+  CHECK(found.coincident == std::vector<bool>{true, true, true});
+  CHECK(found.behind == std::vector<bool>{false, false, true});
+  CHECK(found.behindReach >= 9);
+  CHECK(found.behindReach < 9.001f);
+  addInstance(b.scene, lamp, scene::placementOf(shifted(dvec3(0, 0, 7))).value(), 0);  // behind its copy that emits
+  CHECK(findCoincidences(b.scene).behind == std::vector<bool>{true, true, true});
+}
+
+TEST_CASE("instances that would take too many comparisons are marked whole, on any number of threads") {
+  // Two fans of triangles through one axis, slightly turned, so that all boxes of one overlap all of the other.
+  SceneBuilder b;
+  b.material(diffuseMaterial(vec3(0.5f)));
+  scene::Mesh fan;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    const float angle = 0.003f * static_cast<float>(i);
+    for (const vec3& p : {vec3(-1, 0, 0), vec3(1, 0, 0), vec3(0.1f, std::cos(angle), std::sin(angle))}) {
+      fan.indices.push_back(static_cast<std::uint32_t>(fan.positions.size()));
+      fan.positions.push_back(p);
+    }
+  }
+  const std::uint32_t mesh = storeMesh(b.scene, fan);
+  show(b, mesh, dmat4(1));
+  show(b, mesh, shifted(dvec3(0.01, 0.02, 0.03)));
+  b.triangle({50, 0, 0}, {51, 0, 0}, {50, 1, 0});
+  const Coincidences found = findCoincidences(b.scene, 1);
+  CHECK(numbersOf(found.coincident).size() == 2000);
+  CHECK_FALSE(found.coincident[2000]);
+  CHECK_FALSE(found.truncated);
+  CHECK(findCoincidences(b.scene, 4).coincident == found.coincident);
 }
