@@ -104,6 +104,29 @@ class Counting {
   std::map<std::pair<std::size_t, std::size_t>, CoincidentObjects> pairs_;
 };
 
+// Returns the number of different primitives in all pairs.
+std::uint64_t primitiveCountOf(const Scene& scene, const Coincidences& coincidences) {
+  std::vector<Pair> ranges;  // from an index to another one, exclusive
+  for (const auto* const pairs : {&coincidences.copies, &coincidences.overlaps}) {
+    for (const auto& [a, b] : *pairs) ranges.insert(ranges.end(), {{a, a + 1}, {b, b + 1}});
+  }
+  for (const auto& [a, b] : coincidences.copiedRuns) {
+    for (const std::uint32_t index : {a, b}) {
+      const PrimitiveRun& run = scene.primitives.runs()[index];
+      ranges.emplace_back(run.first, run.first + scene.primitives.countOf(run));
+    }
+  }
+  std::ranges::sort(ranges);
+  std::uint64_t count = 0;
+  std::uint32_t counted = 0;
+  for (const auto& [begin, end] : ranges) {
+    if (end <= counted) continue;
+    count += end - std::max(begin, counted);
+    counted = end;
+  }
+  return count;
+}
+
 }  // namespace
 
 CoincidenceReport coincidentObjects(const Scene& scene) {
@@ -113,9 +136,7 @@ CoincidenceReport coincidentObjects(const Scene& scene) {
   counting.countRuns(coincidences.copiedRuns);
   counting.count(coincidences.overlaps, &CoincidentObjects::overlaps);
   CoincidenceReport report{counting.take(), std::nullopt};
-  if (!coincidences.truncated) {
-    report.primitiveCount = static_cast<std::uint64_t>(std::ranges::count(coincidences.coincident, true));
-  }
+  if (!coincidences.truncated) report.primitiveCount = primitiveCountOf(scene, coincidences);
   return report;
 }
 

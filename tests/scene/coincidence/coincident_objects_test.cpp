@@ -133,7 +133,7 @@ TEST_CASE("instances are named with the numbers of their triangles, also where a
   };
   show("Tile", 0), show("Tile.001", 0), show("Tile.002", 0.5), show("Tile.003", 9);
   CHECK(linesOf(b.scene) == std::vector<std::string>{
-                                "2 primitives in 2 pairs of objects",
+                                "6 primitives in 2 pairs of objects",
                                 "2 triangles of node Tile.001 coincide with 2 triangles of node Tile",
                                 "2 triangles of node Tile.002 overlap 2 triangles of node Tile in one plane",
                             });
