@@ -7,14 +7,14 @@ namespace candela::scene {
 namespace {
 
 TEST_CASE("instances of the same triangles are stored once, and all other primitives by themselves") {
-  constexpr auto kTriangle = PrimitiveKind::triangle;
+  using enum PrimitiveKind;
   PrimitiveList list;
-  list.append({kTriangle, 0, 0, 0}, 5);     // 0 to 4: not an instance
-  list.append({kTriangle, 0, 0, 0, 0}, 5);  // 5 to 9
-  list.append({kTriangle, 0, 0, 1, 1}, 3);  // 10 to 12: another mesh
-  list.append({kTriangle, 0, 7, 0, 2}, 5);  // 13 to 17: as 5 to 9, of another material
-  list.append({kTriangle, 0, 0, 0, 3}, 4);  // 18 to 21: fewer triangles of the mesh
-  list.append({PrimitiveKind::sphere, 0, 0}, 2);
+  list.append({triangle, 0, 0, 0}, 5);     // 0 to 4: not an instance
+  list.append({triangle, 0, 0, 0, 0}, 5);  // 5 to 9
+  list.append({triangle, 0, 0, 1, 1}, 3);  // 10 to 12: another mesh
+  list.append({triangle, 0, 7, 0, 2}, 5);  // 13 to 17: as 5 to 9, of another material
+  list.append({triangle, 0, 0, 0, 3}, 4);  // 18 to 21: fewer triangles of the mesh
+  list.append({sphere, 0, 0}, 2);
   const StoredPrimitives stored(list);
   CHECK(stored.count() == 5 + 5 + 3 + 4 + 2);
   CHECK(stored.indexOf(4) == 4);
