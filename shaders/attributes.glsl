@@ -4,11 +4,6 @@
 #include "placements.glsl"
 #include "scene_access.glsl"
 
-// Returns the mean of the values at the three vertices.
-vec3 interpolated(vec3 at0, vec3 at1, vec3 at2, vec2 weights) {
-  return (1.0 - weights.x - weights.y) * at0 + weights.x * at1 + weights.y * at2;
-}
-
 vec4 interpolatedRows(uint row, vec2 weights) {
   vec4 at0 = sceneRowFloat(row);
   vec4 at1 = sceneRowFloat(row + 1u);
@@ -28,31 +23,24 @@ uint colourRow(uint row, uint kind) {
 // Returns the vertex colour at a point of a triangle whose attributes begin at `row`.
 vec4 colourAt(uint row, uint kind, vec2 weights) { return interpolatedRows(colourRow(row, kind), weights); }
 
-// Returns the mean of the vertex normals of a triangle of an instance, or of none, whose attributes begin at `row`.
-vec3 normalAt(uint row, uint instance, vec2 weights) {
-  vec3 n0 = sceneRowFloat(row).xyz;
-  vec3 n1 = sceneRowFloat(row + 1u).xyz;
-  vec3 n2 = sceneRowFloat(row + 2u).xyz;
+// Returns the mean of the directions at the vertices, whose records begin at `row`. Those of an instance are placed by a
+// matrix: kNormalMatrix or kTangentMatrix.
+vec3 directionAt(uint row, uint instance, uint matrix, vec2 weights) {
+  vec3 at0 = sceneRowFloat(row).xyz;
+  vec3 at1 = sceneRowFloat(row + 1u).xyz;
+  vec3 at2 = sceneRowFloat(row + 2u).xyz;
   if (kHasInstances && instance != 0u) {
-    n0 = placedNormal(instance, n0);
-    n1 = placedNormal(instance, n1);
-    n2 = placedNormal(instance, n2);
+    at0 = placedDirection(instance, matrix, at0);
+    at1 = placedDirection(instance, matrix, at1);
+    at2 = placedDirection(instance, matrix, at2);
   }
-  return interpolated(n0, n1, n2, weights);
+  return (1.0 - weights.x - weights.y) * at0 + weights.x * at1 + weights.y * at2;
 }
 
 // Returns the unit tangent at a point of such a triangle and its handedness, or 0 if the vertices' tangents cancel out.
 vec4 tangentAt(uint row, uint kind, uint instance, vec2 weights) {
   uint tangentRow = colourRow(row, kind) + ((kind & kFlagColours) != 0u ? kColourRows : 0u);
-  vec3 t0 = sceneRowFloat(tangentRow).xyz;
-  vec3 t1 = sceneRowFloat(tangentRow + 1u).xyz;
-  vec3 t2 = sceneRowFloat(tangentRow + 2u).xyz;
-  if (kHasInstances && instance != 0u) {
-    t0 = placedTangent(instance, t0);
-    t1 = placedTangent(instance, t1);
-    t2 = placedTangent(instance, t2);
-  }
-  vec3 mean = interpolated(t0, t1, t2, weights);
+  vec3 mean = directionAt(tangentRow, instance, kTangentMatrix, weights);
   float squared = dot(mean, mean);
   if (squared == 0.0) return vec4(0.0);
   return vec4(mean * (1.0 / sqrt(squared)), sceneRowFloat(tangentRow).w);

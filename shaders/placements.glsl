@@ -31,14 +31,13 @@ vec3 placedPoint(Placement placement, vec3 point) {
   return result;
 }
 
-vec3 placedNormal(uint instance, vec3 normal) {
-  uint row = instanceRow(instance) + 4u;
-  return placedVector(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, sceneRowFloat(row + 2u).xyz, normal);
-}
+// The matrices that place directions, by their first records of an instance's.
+const uint kNormalMatrix = 4u;
+const uint kTangentMatrix = 0u;
 
-vec3 placedTangent(uint instance, vec3 tangent) {
-  uint row = instanceRow(instance);
-  return placedVector(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, sceneRowFloat(row + 2u).xyz, tangent);
+vec3 placedDirection(uint instance, uint matrix, vec3 direction) {
+  uint row = instanceRow(instance) + matrix;
+  return placedVector(sceneRowFloat(row).xyz, sceneRowFloat(row + 1u).xyz, sceneRowFloat(row + 2u).xyz, direction);
 }
 
 // Returns the records of a triangle of an instance as those of other triangles are: with the vertices in the scene, and with

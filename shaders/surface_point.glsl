@@ -30,7 +30,7 @@ struct Surface {
 const float kMinNormalCosine = 1.0 / 65536.0;
 
 void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
-  vec3 mean = normalAt(normalRow, surface.instance, weights);
+  vec3 mean = directionAt(normalRow, surface.instance, kNormalMatrix, weights);
   float squared = dot(mean, mean);
   vec3 shading = squared > 0.0 ? mean * (1.0 / sqrt(squared)) : surface.outward;
   float cosine = dot(shading, surface.outward);

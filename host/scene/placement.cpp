@@ -1,4 +1,4 @@
-// Rounds affine maps to placements.
+// Rounds affine maps to placements, and returns them as matrices.
 #include "host/scene/placement.h"
 
 #include <algorithm>
@@ -15,10 +15,6 @@ double largestEntry(const glm::dmat3& m) {
   return largest;
 }
 
-glm::dmat3 cofactorsOf(const glm::dmat3& m) {
-  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
-
 PlacementRows rowsOf(const glm::dmat3& linear, const glm::dvec3& translation) {
   PlacementRows rows;
   for (glm::length_t row = 0; row < 3; ++row) {
@@ -29,6 +25,21 @@ PlacementRows rowsOf(const glm::dmat3& linear, const glm::dvec3& translation) {
 }
 
 }  // namespace
+
+glm::dmat3 linearPartOf(const Placement& placement) {
+  const PlacementRows& rows = placement.points;
+  return glm::transpose(glm::dmat3(glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[2])));
+}
+
+glm::dvec3 translationOf(const Placement& placement) {
+  return {placement.points[0].w, placement.points[1].w, placement.points[2].w};
+}
+
+glm::dmat3 magnitudesOf(const glm::dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
+
+glm::dmat3 cofactorsOf(const glm::dmat3& m) {
+  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
 
 std::optional<Placement> placementOf(const glm::dmat4& map) {
   const glm::dmat3 linear(map);

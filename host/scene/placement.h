@@ -25,6 +25,15 @@ inline constexpr double kMaxCondition = 4096;
 /// kMaxCondition, or if it is not finite.
 std::optional<Placement> placementOf(const glm::dmat4& map);
 
+/// Returns the linear part A of a placement's points, exactly.
+glm::dmat3 linearPartOf(const Placement& placement);
+/// Returns the translation b of a placement's points, exactly.
+glm::dvec3 translationOf(const Placement& placement);
+/// Returns a matrix with the magnitudes of the entries.
+glm::dmat3 magnitudesOf(const glm::dmat3& m);
+/// Returns det(M) times the inverse transposed, which exists for singular matrices too.
+glm::dmat3 cofactorsOf(const glm::dmat3& m);
+
 /// Returns whether a map mirrors: whether its determinant is negative.
 inline bool mirrors(const glm::dmat4& map) { return glm::determinant(glm::dmat3(map)) < 0; }
 

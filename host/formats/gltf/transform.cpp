@@ -8,14 +8,10 @@
 #include <span>
 
 #include "host/base/finite.h"
+#include "host/scene/placement.h"
 
 namespace candela::gltf {
 namespace {
-
-/// The cofactors of M: det(M) times its inverse transposed, which exists for singular matrices too.
-glm::dmat3 cofactors(const glm::dmat3& m) {
-  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
-}
 
 /// The unit vector along v; 0 for v = 0 and for lengths that overflow.
 glm::vec3 unitOrZero(const glm::dvec3& v) {
@@ -31,8 +27,8 @@ struct VertexTransform {
 
   explicit VertexTransform(const glm::dmat4& transform) : position(transform) {
     const glm::dmat3 linear(transform);
-    mirrors = glm::determinant(linear) < 0;
-    normal = (mirrors ? -1.0 : 1.0) * cofactors(linear);
+    mirrors = scene::mirrors(transform);
+    normal = (mirrors ? -1.0 : 1.0) * scene::cofactorsOf(linear);
   }
 };
 

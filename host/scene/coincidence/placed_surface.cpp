@@ -23,16 +23,6 @@ constexpr double kUnit = 0x1p-24;  // rounding of single precision, relative
 
 constexpr double kMaxTurn = 0.25;  // tangent of the angle by which the tolerance turns the plane of a triangle
 
-dmat3 linearPartOf(const Placement& placement) {
-  dmat3 linear;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      linear[column][row] = double{placement.points[static_cast<std::size_t>(row)][column]};
-    }
-  }
-  return linear;
-}
-
 // Returns the largest factor by which a matrix stretches a vector: the root of the largest eigenvalue of M^T M, by the
 // trigonometric solution for symmetric matrices.
 double stretchOf(const dmat3& m) {
@@ -48,12 +38,6 @@ double stretchOf(const dmat3& m) {
 template <class Vector>
 auto largestOf(const Vector& v) {
   return std::max({v.x, v.y, v.z});
-}
-
-dmat3 magnitudesOf(const dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
-
-dvec3 translationOf(const Placement& placement) {
-  return {placement.points[0].w, placement.points[1].w, placement.points[2].w};
 }
 
 // Compares two triangles in the plane of one of them, the owner.

@@ -13,25 +13,9 @@ constexpr double kPadding = 40 * kUnit;
 constexpr double kCoincidentPadding = 32 * kUnit;
 constexpr double kPlacementError = 4 * kUnit;  // of a coordinate, as a fraction of the sum of its terms' magnitudes
 
-glm::dmat3 linearPart(const scene::Placement& placement) {
-  glm::dmat3 linear;
-  for (glm::length_t row = 0; row < 3; ++row) {
-    for (glm::length_t column = 0; column < 3; ++column) {
-      linear[column][row] = placement.points[static_cast<std::size_t>(row)][column];
-    }
-  }
-  return linear;
-}
-
-glm::dvec3 translation(const scene::Placement& placement) {
-  return {placement.points[0].w, placement.points[1].w, placement.points[2].w};
-}
-
-glm::dmat3 magnitudes(const glm::dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
-
 double largest(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-double largestRowSum(const glm::dmat3& m) { return largest(magnitudes(m) * glm::dvec3(1)); }
+double largestRowSum(const glm::dmat3& m) { return largest(scene::magnitudesOf(m) * glm::dvec3(1)); }
 
 glm::dvec3 largestCoordinates(const Aabb& box) {
   return glm::max(glm::abs(glm::dvec3(box.min)), glm::abs(glm::dvec3(box.max)));
@@ -39,14 +23,14 @@ glm::dvec3 largestCoordinates(const Aabb& box) {
 
 // Returns the magnitudes of coordinates in the scene: sum_j |A_ij| P_j + |b_i|.
 glm::dvec3 placedReach(const scene::Placement& placement, const glm::dvec3& reach) {
-  return magnitudes(linearPart(placement)) * reach + glm::abs(translation(placement));
+  return scene::magnitudesOf(linearPartOf(placement)) * reach + glm::abs(translationOf(placement));
 }
 
 }  // namespace
 
 InstanceSpace instanceSpace(const scene::Placement& placement, const Aabb& meshBounds, float coincidentReach) {
-  const glm::dmat3 inverse = glm::inverse(linearPart(placement));
-  const glm::dvec3 origin = -(inverse * translation(placement));
+  const glm::dmat3 inverse = glm::inverse(linearPartOf(placement));
+  const glm::dvec3 origin = -(inverse * translationOf(placement));
   const double stretch = largestRowSum(inverse);
   const double reach = largest(placedReach(placement, largestCoordinates(meshBounds)));
   const double padding = kPadding * (stretch * reach + largest(origin)) +
@@ -57,11 +41,11 @@ InstanceSpace instanceSpace(const scene::Placement& placement, const Aabb& meshB
 }
 
 Aabb placedBounds(const scene::Placement& placement, const Aabb& box) {
-  const glm::dmat3 linear = linearPart(placement);
+  const glm::dmat3 linear = linearPartOf(placement);
   const glm::dvec3 centre = 0.5 * (glm::dvec3(box.min) + glm::dvec3(box.max));
   const glm::dvec3 half = 0.5 * box.extent();
-  const glm::dvec3 placed = linear * centre + translation(placement);
-  const glm::dvec3 halfPlaced = magnitudes(linear) * half +
+  const glm::dvec3 placed = linear * centre + translationOf(placement);
+  const glm::dvec3 halfPlaced = scene::magnitudesOf(linear) * half +
                                 kPlacementError * placedReach(placement, largestCoordinates(box));
   return paddedBounds(placed - halfPlaced, placed + halfPlaced);
 }

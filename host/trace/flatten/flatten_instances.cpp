@@ -49,11 +49,10 @@ accel::Aabb meshBounds(const scene::Scene& scene, const Prototype& prototype) {
 
 // Returns the largest coordinate of the instances of a prototype.
 float reachOf(const scene::Scene& scene, const Prototype& prototype) {
-  const accel::Aabb box = meshBounds(scene, prototype);
   float reach = 0;
   for (const std::uint32_t use : prototype.uses) {
     const scene::Placement& placement = scene.placements[runsOf(scene)[use].start.placement];
-    reach = std::max(reach, largestCoordinate(accel::placedBounds(placement, box)));
+    reach = std::max(reach, largestCoordinate(accel::placedBounds(placement, prototype.bounds)));
   }
   return reach;
 }
@@ -142,6 +141,7 @@ InstancePlan planInstances(const scene::Scene& scene, const scene::Coincidences&
     for (std::uint32_t i = 0; i < prototype.triangleCount; ++i) {
       prototype.coincident = prototype.coincident || coincidences.coincident[first + i];
     }
+    prototype.bounds = meshBounds(scene, prototype);
     if (prototype.coincident) plan.coincidentReach = std::max(plan.coincidentReach, reachOf(scene, prototype));
     plan.triangleCount += prototype.triangleCount;
     plan.prototypes.push_back(std::move(prototype));
@@ -154,9 +154,10 @@ InstanceSlots appendInstanceHierarchies(const scene::Scene& scene, const Instanc
                                         FlatScene& flat) {
   InstanceSlots slots;
   std::vector<accel::Aabb> boxes;
-  std::vector<std::uint32_t> uses;
+  std::vector<InstanceUse> uses;
   std::uint32_t innerDepth = 0;
-  for (const Prototype& prototype : plan.prototypes) {
+  for (std::uint32_t p = 0; p < plan.prototypes.size(); ++p) {
+    const Prototype& prototype = plan.prototypes[p];
     const scene::PrimitiveRun& first = runsOf(scene)[prototype.uses.front()];
     const MeshSpace space = buildMeshSpace(scene, first.start, prototype.triangleCount, settings);
     accel::WideBvh wide = collapse(space.bvh);
@@ -167,7 +168,7 @@ InstanceSlots appendInstanceHierarchies(const scene::Scene& scene, const Instanc
     slots.orders.push_back(std::move(wide.primitiveIndices));
     for (const std::uint32_t use : prototype.uses) {
       boxes.push_back(placedBounds(scene.placements[runsOf(scene)[use].start.placement], space.parts));
-      uses.push_back(use);
+      uses.push_back({use, p});
     }
   }
   accel::WideBvh outer = collapse(buildBvh(boxes, kOuterOptions));
@@ -181,21 +182,14 @@ InstanceSlots appendInstanceHierarchies(const scene::Scene& scene, const Instanc
 
 void appendInstances(const scene::Scene& scene, const InstancePlan& plan, const InstanceSlots& slots,
                      float coincidentReach, FlatScene& flat) {
-  std::map<std::uint32_t, std::size_t> prototypeOf;  // by run
-  std::vector<accel::Aabb> bounds;                   // by prototype
-  for (std::size_t p = 0; p < plan.prototypes.size(); ++p) {
-    const Prototype& prototype = plan.prototypes[p];
-    for (const std::uint32_t use : prototype.uses) prototypeOf[use] = p;
-    bounds.push_back(meshBounds(scene, prototype));
-  }
   flat.constants.firstInstanceRow = rowCount(flat.rows);
-  for (const std::uint32_t use : slots.uses) {
-    const scene::PrimitiveRun& run = runsOf(scene)[use];
+  for (const InstanceUse& use : slots.uses) {
+    const scene::PrimitiveRun& run = runsOf(scene)[use.run];
     const scene::Placement& placement = scene.placements[run.start.placement];
-    const std::size_t prototype = prototypeOf[use];
-    const accel::InstanceSpace space = accel::instanceSpace(
-        placement, bounds[prototype], plan.prototypes[prototype].coincident ? coincidentReach : 0);
-    const std::array<std::uint32_t, 4> lanes{run.first, slots.roots[prototype], floatBits(double{space.padding}),
+    const Prototype& prototype = plan.prototypes[use.prototype];
+    const accel::InstanceSpace space = accel::instanceSpace(placement, prototype.bounds,
+                                                            prototype.coincident ? coincidentReach : 0);
+    const std::array<std::uint32_t, 4> lanes{run.first, slots.roots[use.prototype], floatBits(double{space.padding}),
                                              floatBits(double{space.paddingPerOrigin})};
     const auto column = [](const scene::PlacementRows& rows, glm::length_t i) {
       return glm::dvec3(rows[0][i], rows[1][i], rows[2][i]);

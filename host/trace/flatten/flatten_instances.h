@@ -5,6 +5,7 @@
 
 #include "host/scene/coincidence/coincidence.h"
 #include "host/scene/scene.h"
+#include "host/trace/accel/bounds.h"
 #include "host/trace/flatten/flat_scene.h"
 
 namespace candela::flatten {
@@ -13,6 +14,7 @@ namespace candela::flatten {
 struct Prototype {
   std::vector<std::uint32_t> uses;  ///< the runs of Scene::primitives that show it; never empty
   std::uint32_t triangleCount = 0;
+  accel::Aabb bounds;       ///< of the vertices, in the space of the mesh
   bool coincident = false;  ///< some triangle may coincide with another surface
 };
 
@@ -31,10 +33,16 @@ struct InstancePlan {
 InstancePlan planInstances(const scene::Scene& scene, const scene::Coincidences& coincidences,
                            const render::RenderSettings& settings);
 
+/// An instance: a run of Scene::primitives that shows a prototype, by its index.
+struct InstanceUse {
+  std::uint32_t run;
+  std::uint32_t prototype;
+};
+
 /// The slots of instances' triangles: primitive indices of the first use of each prototype.
 struct InstanceSlots {
   std::vector<std::vector<std::uint32_t>> orders;  ///< by prototype, in the order of the leaves of its BVH
-  std::vector<std::uint32_t> uses;                 ///< runs, in the order of the leaves of the BVH over instances
+  std::vector<InstanceUse> uses;                   ///< in the order of the leaves of the BVH over instances
   std::vector<std::uint32_t> roots;                ///< by prototype: the node of the root of its BVH
 };
 
