@@ -36,7 +36,7 @@ struct Candidate {
 // Returns the candidate of a cell, anywhere in it.
 Candidate candidateOf(std::int32_t column, std::int32_t row) {
   HashSequence random(kTreeSeed, column, row);
-  const dvec2 place = kCell * dvec2(column + random.next(), row + random.next());
+  const dvec2 place = kCell * dvec2{column + random.next(), row + random.next()};
   const double priority = random.next();
   return {place, priority, random};
 }
@@ -191,7 +191,7 @@ std::vector<MeshInstance> placeRocks(const LakeValley& valley) {
   for (std::int32_t row = -50; row <= 6; ++row) {
     for (std::int32_t column = -30; column <= 34; ++column) {
       HashSequence random(kRockSeed, column, row);
-      const dvec2 place = kRockCell * dvec2(column + random.next(), row + random.next());
+      const dvec2 place = kRockCell * dvec2{column + random.next(), row + random.next()};
       const double shore = LakeValley::shoreDistance(place);
       const double probability = 0.5 * smoothStep(-3, 0, shore) * smoothStep(7, 2, shore) +
                                  0.03 * smoothStep(0, 6, shore);
@@ -199,7 +199,7 @@ std::vector<MeshInstance> placeRocks(const LakeValley& valley) {
       const double size = 0.25 + 1.3 * std::pow(random.next(), 3);
       places.push_back({{place.x, valley.heightAt(place) - 0.1 * size, place.y},
                         random.between(0, kTurn),
-                        size * dvec3(random.between(0.8, 1.4), random.between(0.6, 1.1), 1)});
+                        size * dvec3{random.between(0.8, 1.4), random.between(0.6, 1.1), 1}});
     }
   }
   return places;
@@ -211,7 +211,7 @@ std::vector<MeshInstance> placeTufts(const LakeValley& valley) {
   for (std::int32_t row = -100; row <= 0; ++row) {
     for (std::int32_t column = -80; column <= 80; ++column) {
       HashSequence random(kTuftSeed, column, row);
-      const dvec2 place = kTuftCell * dvec2(column + random.next(), row + random.next());
+      const dvec2 place = kTuftCell * dvec2{column + random.next(), row + random.next()};
       const double shore = LakeValley::shoreDistance(place);
       if (shore < 0.4 || std::abs(place.x) > 5 - 0.75 * place.y) continue;
       const double density = smoothStep(0.3, 0.6, fractalNoise({place / 5.0, 21.5}, 3)) * smoothStep(60, 25, -place.y);

@@ -12,7 +12,8 @@ constexpr std::uint32_t mixedBits(std::uint32_t x) {
   return x ^ (x >> 16);
 }
 
-/// A sequence of independent uniform values. Sequences with different seeds or positions differ.
+/// A sequence of independent uniform values. Sequences with different seeds or positions differ. Where an expression
+/// takes several values, it has braces: compilers evaluate arguments in parentheses in any order.
 class HashSequence {
  public:
   explicit HashSequence(std::uint32_t seed, std::int32_t x = 0, std::int32_t y = 0)

@@ -66,7 +66,7 @@ class Grower {
   Plant grow() {
     const BranchLevel& trunk = style_.levels.front();
     growBranch({{0, -kDepth, 0},
-                normalize(dvec3(random_.between(-0.04, 0.04), 1, random_.between(-0.04, 0.04))),
+                normalize(dvec3{random_.between(-0.04, 0.04), 1, random_.between(-0.04, 0.04)}),
                 trunk.radius},
                trunk.length + kDepth, 0);
     return std::move(plant_);

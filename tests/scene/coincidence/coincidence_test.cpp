@@ -7,6 +7,7 @@
 
 #include "host/scene/coincidence/flat_surface.h"
 #include "host/scene/shape.h"
+#include "tests/scene/coincidence/flat_parts.h"
 #include "tests/trace/reference/scene_builder.h"
 
 using namespace candela;
@@ -37,13 +38,8 @@ void addGrid(SceneBuilder& b, int side, const vec3& corner, const vec3& u, const
 
 // Compares all pairs of flat parts.
 std::vector<Pair> overlapsByBruteForce(const scene::Scene& scene, const std::vector<std::uint32_t>& firstCopy) {
-  std::vector<scene::FlatSurface> parts;
-  for (std::uint32_t i = 0; i < firstCopy.size(); ++i) {
-    if (firstCopy[i] != i) continue;
-    std::vector<scene::FlatSurface> own(scene::flatPartCount(scene.primitives[i].kind));
-    const std::size_t count = scene::storeFlatParts(shapeOf(scene, scene.primitives[i]), i, own);
-    parts.insert(parts.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count));
-  }
+  const std::vector<scene::FlatSurface> parts = test::flatPartsOf(scene,
+                                                                  [&](std::uint32_t i) { return firstCopy[i] == i; });
   std::vector<Pair> pairs;
   for (std::size_t a = 0; a < parts.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {

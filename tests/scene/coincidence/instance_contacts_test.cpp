@@ -7,6 +7,7 @@
 #include "host/scene/coincidence/coincidence.h"
 #include "host/scene/coincidence/flat_surface.h"
 #include "host/scene/shape.h"
+#include "tests/scene/coincidence/flat_parts.h"
 #include "tests/trace/reference/scene_builder.h"
 
 using namespace candela;
@@ -31,12 +32,7 @@ struct Marks {
 Marks marksByBruteForce(const scene::Scene& scene) {
   const scene::StoredPrimitives stored(scene.primitives);
   const std::vector<std::uint32_t> copies = firstCopies(scene);
-  std::vector<scene::FlatSurface> parts;
-  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
-    std::vector<scene::FlatSurface> own(scene::flatPartCount(scene.primitives[i].kind));
-    const std::size_t count = storeFlatParts(shapeOf(scene, scene.primitives[i]), i, own);
-    parts.insert(parts.end(), own.begin(), own.begin() + static_cast<std::ptrdiff_t>(count));
-  }
+  const std::vector<scene::FlatSurface> parts = test::flatPartsOf(scene, [](std::uint32_t) { return true; });
   const auto emits = [&](std::uint32_t i) { return isEmissive(scene.materials[scene.primitives[i].material]); };
   Marks marks;
   for (const scene::FlatSurface& a : parts) {
