@@ -143,6 +143,11 @@ double PlaneShape::lineDistance(const Ray& ray) const {
 
 // ---------------------------------------------------------------------------------------------------------------------
 
+bool isEverHit(const Shape& shape) {
+  const auto* triangle = std::get_if<TriangleShape>(&shape);
+  return triangle == nullptr || triangle->areaNormal() != dvec3(0);
+}
+
 Shape preparedShape(const scene::Scene& scene, const scene::Primitive& primitive) {
   return std::visit(Prepare(), scene::shapeOf(scene, primitive));
 }

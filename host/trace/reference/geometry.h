@@ -95,6 +95,9 @@ struct PlaneShape {
 
 using Shape = std::variant<SphereShape, TriangleShape, BoxShape, ConeShape, PlaneShape>;
 
+/// Returns whether rays may hit a shape: whether it is not a triangle without area.
+bool isEverHit(const Shape& shape);
+
 /// Equal primitives have equal shapes; the ends of a cone may be exchanged.
 Shape preparedShape(const scene::Scene& scene, const scene::Primitive& primitive);
 

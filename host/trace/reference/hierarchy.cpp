@@ -45,8 +45,7 @@ std::optional<Bounds> exactBounds(const scene::Plane&) { return std::nullopt; }
 
 Bounds widened(const Bounds& bounds) {
   const dvec3 reach = glm::max(glm::abs(bounds.min), glm::abs(bounds.max));
-  const double pad = 1e-8 * std::max({reach.x, reach.y, reach.z});
-  return {bounds.min - pad, bounds.max + pad};
+  return bounds.padded(kWidening * std::max({reach.x, reach.y, reach.z}));
 }
 
 class Builder {

@@ -23,7 +23,11 @@ struct Bounds {
     min = glm::min(min, other.min);
     max = glm::max(max, other.max);
   }
+  Bounds padded(double padding) const { return {min - padding, max + padding}; }
 };
+
+/// The widening of boundsOf() as a fraction of a box's largest coordinate.
+inline constexpr double kWidening = 1e-8;
 
 /// Returns the box of a primitive, widened by far more than the errors of distances in double precision; nothing for a
 /// plane.

@@ -33,7 +33,10 @@ void describeStructure(const Tracing& tracing, const render::RenderSettings& set
     statistics.structure = render::AccelKind::bvh;
     statistics.bvhSplit = settings.structure.bvhSplit == render::BvhSplit::midpoint ? render::SplitInUse::midpoint
                                                                                     : render::SplitInUse::median;
-    statistics.structureQuality["nodes"] = static_cast<double>(tracing.hierarchy().nodes.size());
+    statistics.structureQuality["nodes"] = static_cast<double>(tracing.nodeCount());
+    if (!tracing.instances().empty()) {
+      statistics.structureQuality["instances"] = static_cast<double>(tracing.instances().instances().size());
+    }
   }
   if (tracing.hasGrid()) {
     statistics.structure = render::AccelKind::grid;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "host/scene/coincidence/coincidence.h"
 #include "host/trace/reference/coincidence.h"
@@ -12,19 +13,15 @@
 namespace candela::reference {
 namespace {
 
-// Rays of replicas are displaced, and rays that cross a surface hit what coincides with it. Both may hit points outside
-// of a primitive's box, by far less than this.
-void pad(std::vector<Bounds>& boxes, const dvec3& eye) {
-  constexpr double kPadding = 0x1p-16;
+// Returns the largest coordinate of boxes and the eye.
+double reachOf(std::span<const Bounds> boxes, const Instances& instances, const dvec3& eye) {
   dvec3 largest = glm::abs(eye);
-  for (const Bounds& box : boxes) largest = glm::max(largest, glm::max(glm::abs(box.min), glm::abs(box.max)));
-  const dvec3 padding(kPadding * std::max({largest.x, largest.y, largest.z}));
-  for (Bounds& box : boxes) box = {box.min - padding, box.max + padding};
-}
-
-bool isEverHit(const scene::Scene& scene, const scene::Primitive& primitive) {
-  return primitive.kind != scene::PrimitiveKind::triangle ||
-         TriangleShape(triangleOf(scene, primitive)).areaNormal() != dvec3(0);
+  const auto extend = [&](const Bounds& box) {
+    largest = glm::max(largest, glm::max(glm::abs(box.min), glm::abs(box.max)));
+  };
+  for (const Bounds& box : boxes) extend(box);
+  for (const Instance& instance : instances.instances()) extend(instance.bounds());
+  return std::max({largest.x, largest.y, largest.z});
 }
 
 bool transmits(const scene::Material& material, bool whitted) {
@@ -131,30 +128,48 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     : scene_(&scene), settings_(settings), eye_(eye) {
   const bool tracesReplicas = settings.execution.replicas > 0;
   const render::AccelKind accel = tracesReplicas ? render::AccelKind::bvh : settings.structure.accel;
+  if (accel == render::AccelKind::bvh && !settings.structure.copiesInstances) {
+    instances_ = Instances(scene, settings.structure.bvhSplit);
+  }
   std::vector<Bounds> boxes;
   std::vector<std::uint32_t> bounded;
   std::vector<std::uint32_t> unbounded;
-  for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) {
-    if (!isEverHit(scene, scene.primitives[i])) continue;
-    const std::optional<Bounds> bounds = boundsOf(scene, scene.primitives[i]);
-    (bounds ? bounded : unbounded).push_back(i);
-    if (bounds) boxes.push_back(*bounds);
+  for (std::size_t run = 0; run < scene.primitives.runs().size(); ++run) {
+    if (instances_.contains(run)) continue;
+    const scene::PrimitiveRun& copied = scene.primitives.runs()[run];
+    for (std::uint32_t i = copied.first; i < copied.first + scene.primitives.countOf(copied); ++i) {
+      if (!isEverHit(preparedShape(scene, copied.at(i)))) continue;
+      const std::optional<Bounds> bounds = boundsOf(scene, copied.at(i));
+      (bounds ? bounded : unbounded).push_back(i);
+      if (bounds) boxes.push_back(*bounds);
+    }
   }
+  // Rays of replicas are displaced, and rays that cross a surface hit what coincides with it. Both may hit points
+  // outside of a primitive's box, by far less than this.
+  constexpr double kPadding = 0x1p-16;
   const bool whitted = settings.image.integrator == render::Integrator::whitted;
   const auto isCrossed = [&](const scene::Material& material) { return transmits(material, whitted); };
-  if (tracesReplicas || std::ranges::any_of(scene.materials, isCrossed)) pad(boxes, eye_);
-  scene::Coincidences coincidences;
-  if (hasEmissivePrimitive(scene)) coincidences = scene::findCoincidences(scene);
-  behindReach_ = double{coincidences.behindReach};
-  const scene::StoredPrimitives stored(scene.primitives);
-  const auto add = [&](std::uint32_t primitive) {
-    const scene::Material& material = scene.materials[scene.primitives[primitive].material];
-    addItem(scene, primitive, settings.image.oneSided && material.opaque,
-            behindReach_ > 0 && coincidences.behind[stored.indexOf(primitive)] && !isEmissive(material));
-  };
+  double padding = 0;
+  if (tracesReplicas || std::ranges::any_of(scene.materials, isCrossed)) {
+    padding = kPadding * reachOf(boxes, instances_, eye_);
+    for (Bounds& box : boxes) box = box.padded(padding);
+  }
+  instances_.build(padding);
+  if (hasEmissivePrimitive(scene)) {
+    scene::Coincidences coincidences = scene::findCoincidences(scene);
+    behindReach_ = double{coincidences.behindReach};
+    if (behindReach_ > 0) {
+      behind_ = std::move(coincidences.behind);
+      stored_.emplace(scene.primitives);
+    }
+  }
 
-  items_.reserve(scene.primitives.size());
-  itemOf_.resize(scene.primitives.size());
+  items_.reserve(bounded.size() + unbounded.size());
+  if (instances_.empty()) itemOf_.resize(scene.primitives.size());
+  const auto add = [&](std::uint32_t primitive) {
+    if (!itemOf_.empty()) itemOf_[primitive] = static_cast<std::uint32_t>(items_.size());
+    items_.push_back(madeItem(scene.primitives[primitive], primitive));
+  };
   const bool wantsHierarchy = settings.structure.bvhSplit == render::BvhSplit::midpoint ||
                               bounded.size() > kBruteForceLimit;
   if (accel == render::AccelKind::bvh && wantsHierarchy) {
@@ -164,7 +179,7 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     for (const std::uint32_t primitive : bounded) add(primitive);
   }
   if (accel == render::AccelKind::grid) grid_ = buildGrid(boxes, double{settings.structure.gridDensity});
-  if (hasHierarchy() || hasGrid()) firstOutside_ = items_.size();
+  if (!hierarchy_.nodes.empty() || hasGrid()) firstOutside_ = items_.size();
   for (const std::uint32_t primitive : unbounded) add(primitive);
 }
 
@@ -176,20 +191,29 @@ void Tracing::setEye(const dvec3& eye) {
   }
 }
 
-void Tracing::addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided, bool behind) {
-  const scene::Primitive& primitive = scene.primitives[index];
-  const scene::Material& material = scene.materials[primitive.material];
+Tracing::Item Tracing::madeItem(const scene::Primitive& primitive, std::uint32_t index) const {
+  const scene::Material& material = scene_->materials[primitive.material];
   const bool thinWalled = material.surface && !material.surface->hasVolume();
   const bool whitted = settings_.image.integrator == render::Integrator::whitted;
-  itemOf_[index] = static_cast<std::uint32_t>(items_.size());
-  items_.push_back({preparedShape(scene, primitive), oneSided, isTransparent(scene, primitive), isEmissive(material),
-                    transmits(material, whitted), thinWalled, behind, primitive.material, index});
+  const bool emits = isEmissive(material);
+  return {preparedShape(*scene_, primitive),
+          settings_.image.oneSided && material.opaque,
+          isTransparent(*scene_, primitive),
+          emits,
+          transmits(material, whitted),
+          thinWalled,
+          stored_ && behind_[stored_->indexOf(index)] && !emits,
+          primitive.material,
+          index};
 }
 
-double Tracing::distance(const Item& item, const Ray& ray) const {
+const Tracing::Item* Tracing::makeItem(std::uint32_t primitive, std::optional<Item>& made) const {
+  return &made.emplace(madeItem(scene_->primitives[primitive], primitive));
+}
+
+double Tracing::distance(const Item& item, const Ray& ray, const Item* origin) const {
   const bool startsHere = item.primitive == ray.originPrimitive;
-  const bool startsElsewhere = !startsHere && ray.originPrimitive != kNoPrimitive;
-  const Item* const origin = startsElsewhere ? &items_[itemOf_[ray.originPrimitive]] : nullptr;
+  if (startsHere) origin = nullptr;
   const bool isContinued = origin && item.transmits && item.material == origin->material;
   bool passesSameSide = true;
   bool passesOtherSide = true;
@@ -221,8 +245,10 @@ double Tracing::comparedDistance(const Item& item, const Ray& ray, double t) con
 Hit Tracing::closest(const Ray& ray, Counters& counters) const {
   Hit nearest;
   Candidate best;
+  std::optional<Item> made;
+  const Item* const origin = itemOf(ray.originPrimitive, made);
   visitItems(ray, best.distance, counters, [&](const Item& item) {
-    const double t = distance(item, ray);
+    const double t = distance(item, ray, origin);
     const Candidate found = candidate(item, ray, t);
     if (!(found < best) || t == kNoHit || passes(item, ray)) return false;
     best = found;
@@ -245,13 +271,16 @@ std::optional<bool> Tracing::hidesEmitter(const Item& item, double t, const Item
 }
 
 bool Tracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const {
-  const Item* const light = itemOf(end.light);
+  std::optional<Item> madeOrigin, madeLight;
+  const Item* const origin = itemOf(ray.originPrimitive, madeOrigin);
+  const Item* const light = itemOf(end.light, madeLight);
   bool occluded = false;
   visitItems(ray, end.distance, counters, [&](const Item& item) {
-    if (&item == light) return false;
-    const double t = distance(item, ray);
+    if (item.primitive == end.light) return false;
+    const double t = distance(item, ray, origin);
     if (t == kNoHit || passes(item, ray)) return false;
-    const std::optional<bool> hides = light ? hidesEmitter(item, t, *light, distance(*light, ray)) : std::nullopt;
+    std::optional<bool> hides;
+    if (light && item.emits) hides = hidesEmitter(item, t, *light, distance(*light, ray, origin));
     occluded = hides.value_or(t < end.distance && !containsLight(item, ray, t, end, kLightMargin));
     return occluded;
   });

@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/scene/stored_primitives.h"
 #include "host/trace/reference/geometry.h"
 #include "host/trace/reference/grid.h"
 #include "host/trace/reference/hierarchy.h"
+#include "host/trace/reference/instances.h"
 #include "host/trace/reference/light_margin.h"
 #include "host/trace/reference/ray.h"
 #include "host/trace/render/settings.h"
@@ -71,23 +73,27 @@ class Tracing {
   /// Returns whether a primitive hides the light at `end`.
   bool isOccluded(const Ray& ray, const RayEnd& end, Counters& counters) const;
 
-  bool hasHierarchy() const { return !hierarchy_.nodes.empty(); }
-  const Hierarchy& hierarchy() const { return hierarchy_; }
+  bool hasHierarchy() const { return !hierarchy_.nodes.empty() || !instances_.empty(); }
+  /// Returns the number of nodes of all BVHs.
+  std::size_t nodeCount() const { return hierarchy_.nodes.size() + instances_.nodeCount(); }
+  const Instances& instances() const { return instances_; }
   bool hasGrid() const { return !grid_.starts.empty(); }
   const Grid& grid() const { return grid_; }
 
-  /// The items in the structure's order, then those outside of the structure.
+  /// The items that are stored: those of primitives that are in no instance.
   const std::vector<Item>& items() const { return items_; }
-  /// Returns the item of a primitive; null for kNoPrimitive. Undefined for primitives that are never hit.
-  const Item* itemOf(std::uint32_t primitive) const {
-    return primitive == kNoPrimitive ? nullptr : &items_[itemOf_[primitive]];
+  /// Returns the item of a primitive; null for kNoPrimitive. Undefined for primitives that are never hit. In a scene
+  /// with instances, the item is made in `made`, which must outlive the result.
+  const Item* itemOf(std::uint32_t primitive, std::optional<Item>& made) const {
+    if (primitive == kNoPrimitive) return nullptr;
+    return itemOf_.empty() ? makeItem(primitive, made) : &items_[itemOf_[primitive]];
   }
   /// Calls visit(item) for the items that a ray may hit before `limit`, which `visit` may reduce. Ends when `visit`
   /// returns true. Defined in visit_items.h.
   template <class Visit>
   void visitItems(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
-  /// Returns the distance at which a ray hits an item by the rules for its origin primitive.
-  double distance(const Item& item, const Ray& ray) const;
+  /// Returns the distance at which a ray hits an item by the rules for `origin`, the item of its origin primitive.
+  double distance(const Item& item, const Ray& ray, const Item* origin) const;
   /// `t` is the distance at which `ray` hits the item.
   Candidate candidate(const Item& item, const Ray& ray, double t) const {
     return {comparedDistance(item, ray, t), item.behind, item.primitive};
@@ -103,24 +109,28 @@ class Tracing {
  private:
   Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye);
 
-  void addItem(const scene::Scene& scene, std::uint32_t index, bool oneSided, bool behind);
+  Item madeItem(const scene::Primitive& primitive, std::uint32_t index) const;
+  const Item* makeItem(std::uint32_t primitive, std::optional<Item>& made) const;
   /// Returns the distance that an item which is hit at distance `t` counts for, in comparisons with others.
   double comparedDistance(const Item& item, const Ray& ray, double t) const;
   /// Returns whether a ray passes an item that it would otherwise hit.
   bool passes(const Item& item, const Ray& ray) const;
-  template <class Visit>
-  bool visitHierarchy(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
   template <class Visit>
   bool visitGrid(const Ray& ray, const double& limit, Counters& counters, Visit&& visit) const;
 
   const scene::Scene* scene_;
   render::RenderSettings settings_;
   dvec3 eye_;
-  std::vector<Item> items_;            ///< in the structure's order, then those outside of the structure
-  std::vector<std::uint32_t> itemOf_;  ///< index in items_ of each primitive; undefined for those that are never hit
+  /// The items of primitives that are in none of instances_, in the structure's order, then those outside of the
+  /// structure. Those of instances are made when they are tested.
+  std::vector<Item> items_;
+  std::vector<std::uint32_t> itemOf_;  ///< index in items_ of each primitive that may be hit; empty with instances
   std::size_t firstOutside_ = 0;       ///< index of the first item outside of the structure
   double behindReach_ = 0;             ///< largest coordinate of the items that are behind emitters, and of these
-  Hierarchy hierarchy_;
+  std::vector<bool> behind_;           ///< by number in stored_
+  std::optional<scene::StoredPrimitives> stored_;  ///< nothing if no primitive is behind an emitter
+  Hierarchy hierarchy_;                            ///< over items_
+  Instances instances_;
   Grid grid_;
 };
 

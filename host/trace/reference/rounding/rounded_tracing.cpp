@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "host/base/hash.h"
 #include "host/scene/coincidence/coincidence.h"
@@ -54,13 +55,20 @@ struct RoundedTracing::ReachOfShape {
 };
 
 RoundedTracing::RoundedTracing(const scene::Scene& scene, const Tracing& tracing, const dvec3& eye)
-    : scene_(scene), tracing_(tracing), firstCopies_(scene::firstCopies(scene)) {
+    : scene_(scene), tracing_(tracing), eye_(eye), firstCopies_(scene::firstCopies(scene)) {
   reaches_.reserve(tracing.items().size());
   for (const Tracing::Item& item : tracing.items()) reaches_.push_back(std::visit(ReachOfShape{eye}, item.shape));
 }
 
+RoundedTracing::Reach RoundedTracing::reachOf(const Tracing::Item& item) const {
+  const Tracing::Item* const first = tracing_.items().data();
+  const std::less<> isBefore;
+  const bool isStored = !isBefore(&item, first) && isBefore(&item, first + reaches_.size());
+  return isStored ? reaches_[static_cast<std::size_t>(&item - first)] : std::visit(ReachOfShape{eye_}, item.shape);
+}
+
 dvec3 RoundedTracing::testedOrigin(const Tracing::Item& item, const dvec3& origin, const dvec3& signs) const {
-  const Reach& reach = reaches_[static_cast<std::size_t>(&item - tracing_.items().data())];
+  const Reach reach = reachOf(item);
   return origin + reach.units * kRoundoff * (length(origin - reach.centre) + reach.radius) * signs;
 }
 
@@ -85,9 +93,11 @@ Hit RoundedTracing::closest(Ray& ray, Counters& counters, const RayErrors& error
   Tracing::Candidate best;
   dvec3 hitOrigin = ray.origin;
   Ray tested = ray;
+  std::optional<Tracing::Item> made;
+  const Tracing::Item* const origin = tracing_.itemOf(ray.originPrimitive, made);
   tracing_.visitItems(ray, best.distance, counters, [&](const Tracing::Item& item) {
     tested.origin = testedOrigin(item, ray.origin, errors.signs);
-    const double exact = tracing_.distance(item, tested);
+    const double exact = tracing_.distance(item, tested, origin);
     if (!(exact < best.distance * (1 + kTie))) return false;
     const double rounded = roundedDistance(item, exact, errors.word);
     const Tracing::Candidate candidate = tracing_.candidate(item, tested, rounded);
@@ -102,21 +112,24 @@ Hit RoundedTracing::closest(Ray& ray, Counters& counters, const RayErrors& error
 }
 
 bool RoundedTracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& counters, const RayErrors& errors) const {
-  const Tracing::Item* const light = tracing_.itemOf(end.light);
+  std::optional<Tracing::Item> madeOrigin, madeLight;
+  const Tracing::Item* const origin = tracing_.itemOf(ray.originPrimitive, madeOrigin);
+  const Tracing::Item* const light = tracing_.itemOf(end.light, madeLight);
   bool occluded = false;
   Ray tested = ray;
   const auto ofLight = [&] {
     Ray toLight = ray;
     toLight.origin = testedOrigin(*light, ray.origin, errors.signs);
-    return roundedDistance(*light, tracing_.distance(*light, toLight), errors.word);
+    return roundedDistance(*light, tracing_.distance(*light, toLight, origin), errors.word);
   };
   tracing_.visitItems(ray, end.distance, counters, [&](const Tracing::Item& item) {
-    if (&item == light) return false;
+    if (item.primitive == end.light) return false;
     tested.origin = testedOrigin(item, ray.origin, errors.signs);
-    const double t = tracing_.distance(item, tested);
+    const double t = tracing_.distance(item, tested, origin);
     if (t == kNoHit || passes(item, tested, errors.word)) return false;
     std::optional<bool> hides;
-    if (light) hides = tracing_.hidesEmitter(item, roundedDistance(item, t, errors.word), *light, ofLight());
+    if (light && item.emits)
+      hides = tracing_.hidesEmitter(item, roundedDistance(item, t, errors.word), *light, ofLight());
     const double sign = signOf(item, errors.word);
     const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
     occluded = hides.value_or(t < end.distance * (1 - kTie / 2 * sign) &&

@@ -36,6 +36,7 @@ class RoundedTracing {
   };
   struct ReachOfShape;
 
+  Reach reachOf(const Tracing::Item& item) const;
   /// Returns the origin of the ray that the device's test of this item amounts to.
   dvec3 testedOrigin(const Tracing::Item& item, const dvec3& origin, const dvec3& signs) const;
   /// Returns the sign of the error of the item's distance.
@@ -45,7 +46,8 @@ class RoundedTracing {
 
   const scene::Scene& scene_;
   const Tracing& tracing_;
-  std::vector<Reach> reaches_;              ///< of the items of `tracing`
+  dvec3 eye_;
+  std::vector<Reach> reaches_;              ///< of the stored items of `tracing`
   std::vector<std::uint32_t> firstCopies_;  ///< lowest index of a primitive of the same shape, for each primitive
 };
 
