@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/scene/shape.h"
 #include "host/scene/stored_primitives.h"
 
 namespace candela::scene {
@@ -16,14 +17,16 @@ inline constexpr double kCoplanarTolerance = 0x1p-21;
 /// Returns the cone with its ends in lexicographical order, so that no order of them rounds a distance differently.
 Cone withSortedEnds(Cone cone);
 
-/// Returns for each primitive the lowest index of one that has the same shape: triangles with the same vertices in any
-/// order, equal boxes and planes, spheres with the same centre and the same radius apart from its sign, and cones with
-/// the same ends in either order. It is the primitive's own index if there is no lower one.
-/// With 0 threads, there is one per core.
-std::vector<std::uint32_t> firstCopies(const Scene& scene, std::uint32_t threads = 0);
+/// Returns whether two shapes are the same: triangles with the same vertices in any order, equal boxes and planes,
+/// spheres with the same centre and the same radius apart from its sign, and cones with the same ends in either order.
+bool areCopies(const Shape& a, const Shape& b);
 
-/// Returns for each number in StoredPrimitives that of the first copy, as firstCopies() does, among the primitives that
-/// belong to no instance. A triangle of an instance has its own number.
+/// Returns a hash that copies share.
+std::uint32_t hashOf(const Shape& shape);
+
+/// Returns for each number in StoredPrimitives the lowest number of a copy among the primitives that belong to no
+/// instance, which is its own if there is no lower one. A triangle of an instance has its own number.
+/// With 0 threads, there is one per core.
 std::vector<std::uint32_t> firstUnplacedCopies(const Scene& scene, const StoredPrimitives& stored,
                                                std::uint32_t threads = 0);
 
@@ -32,7 +35,7 @@ std::vector<std::uint32_t> firstUnplacedCopies(const Scene& scene, const StoredP
 struct Coincidences {
   using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-  /// Primitives (a, b), a < b, with the same shape. Of primitives that belong to no instance, a is firstCopies() of b.
+  /// Primitives (a, b), a < b, with the same shape. Of primitives that belong to no instance, a is the first copy of b.
   std::vector<Pair> copies;
   /// Pairs (a, b), a < b, of flat primitives other than copies that lie in one plane and overlap in more than an edge:
   /// triangles, faces of boxes, and planes. Copies of a and b are not listed again, and triangles of one mesh are

@@ -51,10 +51,6 @@ struct KeyOfShape {
   }
 };
 
-ShapeKey keyOf(const Scene& scene, const Primitive& primitive) {
-  return std::visit(KeyOfShape(), shapeOf(scene, primitive));
-}
-
 // Returns a key that no shape and no other number has.
 ShapeKey keyOfItself(std::uint32_t number) {
   return {-1, static_cast<float>(number >> 16), static_cast<float>(number & 0xffffu)};
@@ -99,16 +95,21 @@ Cone withSortedEnds(Cone cone) {
   return cone;
 }
 
-std::vector<std::uint32_t> firstCopies(const Scene& scene, std::uint32_t threads) {
-  return firstEqual(scene.primitives.size(), threads,
-                    [&](std::uint32_t i) { return keyOf(scene, scene.primitives[i]); });
+bool areCopies(const Shape& a, const Shape& b) {
+  if (a.index() != b.index()) return false;
+  // Most triangles share no vertex, so that this is much faster than comparing keys.
+  const Triangle* const triangle = std::get_if<Triangle>(&a);
+  if (triangle) return std::ranges::is_permutation(triangle->p, std::get<Triangle>(b).p);
+  return std::visit(KeyOfShape(), a) == std::visit(KeyOfShape(), b);
 }
+
+std::uint32_t hashOf(const Shape& shape) { return hashOf(std::visit(KeyOfShape(), shape)); }
 
 std::vector<std::uint32_t> firstUnplacedCopies(const Scene& scene, const StoredPrimitives& stored,
                                                std::uint32_t threads) {
   return firstEqual(stored.count(), threads, [&](std::uint32_t number) {
     const Primitive primitive = scene.primitives[stored.primitiveOf(number)];
-    return primitive.isPlaced() ? keyOfItself(number) : keyOf(scene, primitive);
+    return primitive.isPlaced() ? keyOfItself(number) : std::visit(KeyOfShape(), shapeOf(scene, primitive));
   });
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/image/film.h"
+#include "host/scene/placed_bounds.h"
 #include "host/scene/shape.h"
 
 namespace candela::reference {
@@ -38,12 +39,21 @@ Balls ballsOf(const scene::Plane&) { return {}; }
 double squaredRadius(const scene::Scene& scene) {
   bool isEmpty = true;
   dvec3 low(0), high(0);
-  for (const scene::Primitive& primitive : scene.primitives) {
-    for (const Ball& ball :
-         std::visit([](const auto& shape) { return ballsOf(shape); }, scene::shapeOf(scene, primitive))) {
-      low = isEmpty ? ball.centre - ball.radius : glm::min(low, ball.centre - ball.radius);
-      high = isEmpty ? ball.centre + ball.radius : glm::max(high, ball.centre + ball.radius);
-      isEmpty = false;
+  const auto extend = [&](const Ball& ball) {
+    low = isEmpty ? ball.centre - ball.radius : glm::min(low, ball.centre - ball.radius);
+    high = isEmpty ? ball.centre + ball.radius : glm::max(high, ball.centre + ball.radius);
+    isEmpty = false;
+  };
+  scene::PlacedBounds placed(scene);
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    if (run.start.isPlaced()) {
+      const scene::Bounds box = placed.of(run);
+      for (const glm::vec3& end : {box.min, box.max}) extend({dvec3(end), 0});
+      continue;
+    }
+    for (std::uint32_t i = 0; i < scene.primitives.countOf(run); ++i) {
+      const scene::Shape shape = shapeOf(scene, run.at(run.first + i));
+      for (const Ball& ball : std::visit([](const auto& of) { return ballsOf(of); }, shape)) extend(ball);
     }
   }
   return glm::dot(high - low, high - low) / 4;

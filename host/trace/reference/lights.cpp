@@ -28,10 +28,14 @@ Group groupOf(const Light& light) {
 
 }  // namespace
 
-LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
-    : entryOfPrimitive_(scene.primitives.size(), kNoEntry) {
-  if (settings.image.nextEventEstimation) {
-    for (std::uint32_t i = 0; i < scene.primitives.size(); ++i) collectEmitter(scene, i, settings.image.oneSided);
+LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
+  const auto addEmitters = [&](const scene::PrimitiveRun& run) {
+    for (std::uint32_t i = 0; i < scene.primitives.countOf(run); ++i) {
+      addEmitter(run.first + i, run.at(run.first + i), settings.image.oneSided);
+    }
+  };
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    if (settings.image.nextEventEstimation && isEmissive(scene.materials[run.start.material])) addEmitters(run);
   }
   for (const scene::PointLight& light : scene.pointLights) add(PointLight(light));
   for (const scene::PunctualLight& light : scene.punctualLights) add(PunctualLight(light));
@@ -40,35 +44,25 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
     const bool shines = std::ranges::any_of(weights, [](std::uint64_t weight) { return weight > 0; });
     entryOfEnvironment_ = add(EnvironmentLight(shines));
   }
-  noteCopies(scene);
-  const std::vector<double> groups = groupProbabilities(scene);
+  const std::vector<double> groups = groupProbabilities();
   raisePointWeights();
   computeThresholds(groups);
 }
 
-void LightTable::collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided) {
-  const scene::Primitive& emitter = scene.primitives[primitive];
-  const scene::Material& material = scene.materials[emitter.material];
-  if (!isEmissive(material)) return;
+void LightTable::addEmitter(std::uint32_t primitive, const scene::Primitive& emitter, bool oneSided) {
+  const dvec3 emission = scene_->materials[emitter.material].emission;
   if (emitter.kind == scene::PrimitiveKind::sphere) {
-    entryOfPrimitive_[primitive] = add(SphereLight(scene.spheres[emitter.index], material.emission, primitive));
+    entryOfPrimitive_[primitive] = add(SphereLight(scene_->spheres[emitter.index], emission, primitive), primitive);
   } else if (emitter.kind == scene::PrimitiveKind::triangle) {
-    const TriangleLight light(triangleOf(scene, emitter), material.emission, primitive, oneSided,
-                              meanEmissionTexel(scene, emitter));
-    if (light.area() > 0) entryOfPrimitive_[primitive] = add(light);
+    const TriangleLight light(triangleOf(*scene_, emitter), emission, primitive, oneSided,
+                              meanEmissionTexel(*scene_, emitter));
+    if (light.area() > 0) entryOfPrimitive_[primitive] = add(light, primitive);
   }
 }
 
-void LightTable::noteCopies(const scene::Scene& scene) {
-  if (std::ranges::all_of(entryOfPrimitive_, [](std::uint32_t entry) { return entry == kNoEntry; })) return;
-  firstCopies_ = scene::firstCopies(scene);
-  for (std::uint32_t i = 0; i < entryOfPrimitive_.size(); ++i) {
-    if (entryOfPrimitive_[i] != kNoEntry) entries_[entryOfPrimitive_[i]].firstCopy = firstCopies_[i];
-  }
-}
-
-std::uint32_t LightTable::add(const Light& light) {
-  entries_.push_back({light, std::visit([](const auto& of) { return of.power(); }, light)});
+std::uint32_t LightTable::add(const Light& light, std::uint32_t primitive) {
+  entries_.push_back({light, std::visit([](const auto& of) { return of.power(); }, light), primitive});
+  if (primitive != kNoPrimitive) entries_.back().shape = shapeOf(*scene_, scene_->primitives[primitive]);
   return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
@@ -78,15 +72,15 @@ std::vector<double> LightTable::groupWeights() const {
   return sums;
 }
 
-std::vector<double> LightTable::groupProbabilities(const scene::Scene& scene) const {
+std::vector<double> LightTable::groupProbabilities() const {
   std::vector<double> probabilities = groupWeights();
   const auto count = static_cast<double>(std::ranges::count_if(probabilities, [](double sum) { return sum > 0; }));
   if (count <= 1) return {1, 1, 1};
-  const double squared = squaredRadius(scene);
+  const double squared = squaredRadius(*scene_);
   const auto flux = [&](const Entry& entry) {  // divided by pi
     if (std::holds_alternative<PointLight>(entry.light)) return entry.weight * kPi * squared;
     const bool isEnvironment = std::holds_alternative<EnvironmentLight>(entry.light) && entry.weight > 0;
-    return isEnvironment ? 4 * squared * meanLuminance(*scene.environment) : entry.weight;
+    return isEnvironment ? 4 * squared * meanLuminance(*scene_->environment) : entry.weight;
   };
   std::array<double, kGroupCount> fluxes{};
   for (const Entry& entry : entries_) fluxes[groupOf(entry.light)] += flux(entry);
@@ -134,26 +128,26 @@ LightChoice LightTable::choose(std::uint32_t word) const {
   return {entry, probability(entry)};
 }
 
+bool LightTable::isOnCopy(const Entry& entry, const Surface& surface) const {
+  if (entry.primitive == kNoPrimitive || surface.primitive == kNoPrimitive) return false;
+  if (entry.primitive == surface.primitive) return false;
+  return areCopies(entry.shape, shapeOf(*scene_, scene_->primitives[surface.primitive]));
+}
+
 std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const {
-  const std::uint32_t copy = entries_[entry].firstCopy;
-  const bool isOnPrimitive = copy != kNoEntry && surface.primitive != kNoPrimitive;
-  const bool isOnCopy = isOnPrimitive && copy == firstCopies_[surface.primitive];
-  if (isOnCopy && entryOfPrimitive_[surface.primitive] != entry) return std::nullopt;
+  if (isOnCopy(entries_[entry], surface)) return std::nullopt;
   return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
 }
 
 double LightTable::pdf(const Ray& ray, double distance, const Surface& surface) const {
-  return pdfOf(entryOfPrimitive_[surface.primitive], ray, distance);
+  const auto entry = entryOfPrimitive_.find(surface.primitive);
+  if (entry == entryOfPrimitive_.end()) return 0;
+  const double chosen = probability(entry->second);
+  return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry->second].light);
 }
 
 double LightTable::environmentProbability() const {
   return entryOfEnvironment_ == kNoEntry ? 0 : probability(entryOfEnvironment_);
-}
-
-double LightTable::pdfOf(std::uint32_t entry, const Ray& ray, double distance) const {
-  if (entry == kNoEntry) return 0;
-  const double chosen = probability(entry);
-  return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry].light);
 }
 
 }  // namespace candela::reference

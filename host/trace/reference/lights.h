@@ -2,9 +2,11 @@
 #pragma once
 #include <cstdint>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/scene/shape.h"
 #include "host/trace/reference/light.h"
 #include "host/trace/render/settings.h"
 
@@ -18,7 +20,7 @@ struct LightChoice {
 
 class LightTable {
  public:
-  /// Depends on `nextEventEstimation` and `oneSided` of the settings.
+  /// Depends on `nextEventEstimation` and `oneSided` of the settings. The scene must outlive the object.
   LightTable(const scene::Scene& scene, const render::RenderSettings& settings);
 
   /// Returns whether there is a light of positive weight.
@@ -44,29 +46,28 @@ class LightTable {
   struct Entry {
     Light light;
     double weight;
-    std::uint32_t firstCopy = kNoEntry;  ///< of an emitter: lowest index of a primitive of the same shape
+    std::uint32_t primitive;  ///< kNoPrimitive for a light that is not a primitive
+    scene::Shape shape{};     ///< of the primitive
   };
 
-  void collectEmitter(const scene::Scene& scene, std::uint32_t primitive, bool oneSided);
-  /// Notes which primitives have the shapes of the emitters.
-  void noteCopies(const scene::Scene& scene);
+  /// Adds a primitive that emits.
+  void addEmitter(std::uint32_t primitive, const scene::Primitive& emitter, bool oneSided);
   /// Returns the index of the entry.
-  std::uint32_t add(const Light& light);
+  std::uint32_t add(const Light& light, std::uint32_t primitive = kNoPrimitive);
+  bool isOnCopy(const Entry& entry, const Surface& surface) const;
   /// Sums of the entries' weights.
   std::vector<double> groupWeights() const;
   /// The probability of each group that has an entry of positive weight.
-  std::vector<double> groupProbabilities(const scene::Scene& scene) const;
+  std::vector<double> groupProbabilities() const;
   /// Raises the weights of lights that no ray finds, so that none is lost beside a much brighter one.
   void raisePointWeights();
   void computeThresholds(const std::vector<double>& groups);
   double probability(std::uint32_t entry) const;
-  /// Returns the density for `entry`, or 0 for kNoEntry.
-  double pdfOf(std::uint32_t entry, const Ray& ray, double distance) const;
 
+  const scene::Scene* scene_;
   std::vector<Entry> entries_;
   std::vector<std::uint32_t> thresholds_;
-  std::vector<std::uint32_t> entryOfPrimitive_;
-  std::vector<std::uint32_t> firstCopies_;  ///< result of scene::firstCopies(); empty if no primitive emits
+  std::unordered_map<std::uint32_t, std::uint32_t> entryOfPrimitive_;
   std::uint32_t entryOfEnvironment_ = kNoEntry;
 };
 

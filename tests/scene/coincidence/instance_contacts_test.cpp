@@ -31,14 +31,14 @@ struct Marks {
 // Compares all pairs of primitives in the space of the scene.
 Marks marksByBruteForce(const scene::Scene& scene) {
   const scene::StoredPrimitives stored(scene.primitives);
-  const std::vector<std::uint32_t> copies = firstCopies(scene);
   const std::vector<scene::FlatSurface> parts = test::flatPartsOf(scene, [](std::uint32_t) { return true; });
+  const auto shapeAt = [&](std::uint32_t i) { return shapeOf(scene, scene.primitives[i]); };
   const auto emits = [&](std::uint32_t i) { return isEmissive(scene.materials[scene.primitives[i].material]); };
   Marks marks;
   for (const scene::FlatSurface& a : parts) {
     for (const scene::FlatSurface& b : parts) {
       if (a.primitive == b.primitive) continue;
-      if (copies[a.primitive] != copies[b.primitive] && !overlapInPlane(a, b)) continue;
+      if (!areCopies(shapeAt(a.primitive), shapeAt(b.primitive)) && !overlapInPlane(a, b)) continue;
       marks.coincident.insert(stored.indexOf(a.primitive));
       if (!emits(a.primitive) && emits(b.primitive)) marks.behind.insert(stored.indexOf(a.primitive));
     }

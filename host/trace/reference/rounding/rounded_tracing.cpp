@@ -17,8 +17,8 @@ namespace {
 // Twice the relative error of a distance by rounding.
 constexpr double kTie = 2 * kRoundingBounds.hitDistance * kRoundoff;
 
-double signOfPrimitive(std::uint64_t word, std::uint32_t primitive) {
-  return (splitMix(word + primitive * kSplitMixStep) & 1) != 0 ? 1 : -1;
+double signBy(std::uint64_t word, std::uint32_t number) {
+  return (splitMix(word + number * kSplitMixStep) & 1) != 0 ? 1 : -1;
 }
 
 double texCoordError(const glm::vec3& row, const dvec2& scale) {
@@ -55,25 +55,37 @@ struct RoundedTracing::ReachOfShape {
 };
 
 RoundedTracing::RoundedTracing(const scene::Scene& scene, const Tracing& tracing, const dvec3& eye)
-    : scene_(scene), tracing_(tracing), eye_(eye), firstCopies_(scene::firstCopies(scene)) {
-  reaches_.reserve(tracing.items().size());
-  for (const Tracing::Item& item : tracing.items()) reaches_.push_back(std::visit(ReachOfShape{eye}, item.shape));
+    : scene_(scene), tracing_(tracing), eye_(eye) {
+  for (const Tracing::Item& item : tracing.items()) {
+    reaches_.push_back(reachOfShape(item));
+    hashes_.push_back(hashOfShape(item));
+  }
 }
 
-RoundedTracing::Reach RoundedTracing::reachOf(const Tracing::Item& item) const {
+RoundedTracing::Reach RoundedTracing::reachOfShape(const Tracing::Item& item) const {
+  return std::visit(ReachOfShape{eye_}, item.shape);
+}
+
+std::uint32_t RoundedTracing::hashOfShape(const Tracing::Item& item) const {
+  return scene::hashOf(shapeOf(scene_, scene_.primitives[item.primitive]));
+}
+
+std::optional<std::size_t> RoundedTracing::storedIndexOf(const Tracing::Item& item) const {
   const Tracing::Item* const first = tracing_.items().data();
   const std::less<> isBefore;
   const bool isStored = !isBefore(&item, first) && isBefore(&item, first + reaches_.size());
-  return isStored ? reaches_[static_cast<std::size_t>(&item - first)] : std::visit(ReachOfShape{eye_}, item.shape);
+  return isStored ? std::optional(static_cast<std::size_t>(&item - first)) : std::nullopt;
 }
 
 dvec3 RoundedTracing::testedOrigin(const Tracing::Item& item, const dvec3& origin, const dvec3& signs) const {
-  const Reach reach = reachOf(item);
+  const std::optional<std::size_t> stored = storedIndexOf(item);
+  const Reach reach = stored ? reaches_[*stored] : reachOfShape(item);
   return origin + reach.units * kRoundoff * (length(origin - reach.centre) + reach.radius) * signs;
 }
 
 double RoundedTracing::signOf(const Tracing::Item& item, std::uint64_t word) const {
-  return signOfPrimitive(word, firstCopies_[item.primitive]);
+  const std::optional<std::size_t> stored = storedIndexOf(item);
+  return signBy(word, stored ? hashes_[*stored] : hashOfShape(item));
 }
 
 double RoundedTracing::roundedDistance(const Tracing::Item& item, double exact, std::uint64_t word) const {
@@ -83,7 +95,7 @@ double RoundedTracing::roundedDistance(const Tracing::Item& item, double exact, 
 bool RoundedTracing::passes(const Tracing::Item& item, const Ray& ray, std::uint64_t word) const {
   if (!item.transparent) return false;
   const MeshAttributes attributes = attributesAtHit(scene_, item.primitive, ray);
-  const dvec2 signs(signOfPrimitive(word, item.primitive), signOfPrimitive(~word, item.primitive));
+  const dvec2 signs(signBy(word, item.primitive), signBy(~word, item.primitive));
   const dvec2 st = roundedTexCoords(scene_.materials[item.material].opacity->texture, attributes, signs);
   return !isThere(scene_, item.primitive, ray, attributes, st);
 }

@@ -1,5 +1,6 @@
 // Intersection tests with the errors of single precision.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -36,7 +37,10 @@ class RoundedTracing {
   };
   struct ReachOfShape;
 
-  Reach reachOf(const Tracing::Item& item) const;
+  Reach reachOfShape(const Tracing::Item& item) const;
+  std::uint32_t hashOfShape(const Tracing::Item& item) const;
+  /// Returns the index of an item among the stored ones of `tracing`; nothing if it was made for an instance.
+  std::optional<std::size_t> storedIndexOf(const Tracing::Item& item) const;
   /// Returns the origin of the ray that the device's test of this item amounts to.
   dvec3 testedOrigin(const Tracing::Item& item, const dvec3& origin, const dvec3& signs) const;
   /// Returns the sign of the error of the item's distance.
@@ -47,8 +51,8 @@ class RoundedTracing {
   const scene::Scene& scene_;
   const Tracing& tracing_;
   dvec3 eye_;
-  std::vector<Reach> reaches_;              ///< of the stored items of `tracing`
-  std::vector<std::uint32_t> firstCopies_;  ///< lowest index of a primitive of the same shape, for each primitive
+  std::vector<Reach> reaches_;         ///< of the stored items of `tracing`
+  std::vector<std::uint32_t> hashes_;  ///< of their shapes
 };
 
 /// Returns the coordinates (s, t) of a texture at a point with these attributes, moved by the bounds of their errors in
