@@ -67,14 +67,20 @@ bool wantsStructure(const render::RenderSettings& settings) {
 // Builds the requested structure as the first records, and returns the order of the finite primitives.
 std::vector<std::uint32_t> appendStructure(const accel::SceneBounds& bounds, const render::RenderSettings& settings,
                                            std::uint32_t maxGridSide, FlatScene& flat) {
+  if (settings.structure.accel == render::AccelKind::bvh) return appendHierarchy(bounds, settings, flat);
+  if (settings.structure.accel == render::AccelKind::none) return bounds.finite;
+  return appendGrid(bounds, settings.structure.gridDensity, maxGridSide, flat);
+}
+
+// Returns the result of `build`, which appends a part of the structure, and adds its time and its records.
+template <class Build>
+auto measured(FlatScene& flat, const Build& build) {
   Stopwatch watch;
-  std::vector<std::uint32_t> order = bounds.finite;
-  if (settings.structure.accel == render::AccelKind::bvh) order = appendHierarchy(bounds, settings, flat);
-  if (settings.structure.accel == render::AccelKind::grid)
-    order = appendGrid(bounds, settings.structure.gridDensity, maxGridSide, flat);
-  flat.structureSeconds = watch.lap();
-  flat.structureQuality["bytes"] = static_cast<double>(flat.rows.size() * sizeof(gpu::uvec4));
-  return order;
+  const std::size_t rowsBefore = flat.rows.size();
+  auto result = build();
+  flat.structureSeconds += watch.lap();
+  flat.structureQuality["bytes"] += static_cast<double>((flat.rows.size() - rowsBefore) * sizeof(gpu::uvec4));
+  return result;
 }
 
 }  // namespace
@@ -99,7 +105,9 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
                                                            plan.coincidentReach);
   const bool small = isSmall(scene, coincidences.coincident, limits.smallScene);
   std::vector<std::uint32_t> order = bounds.finite;
-  if (!small || wantsStructure(settings)) order = appendStructure(bounds, settings, limits.maxGridSide, flat);
+  if (!small || wantsStructure(settings)) {
+    order = measured(flat, [&] { return appendStructure(bounds, settings, limits.maxGridSide, flat); });
+  }
   const bool isList = small && flat.shape.structure == gpu::kStructureNone;
   flat.constants.firstPlaneSlot = static_cast<std::uint32_t>(order.size());
   order.insert(order.end(), bounds.infinite.begin(), bounds.infinite.end());
@@ -114,7 +122,8 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   flat.shape.features.instances = plan.hasInstances();
   InstanceSlots instances;
   if (plan.hasInstances()) {
-    instances = appendInstanceHierarchies(scene, plan, settings, flat.shape.slotCount, flat);
+    instances = measured(flat,
+                         [&] { return appendInstanceHierarchies(scene, plan, settings, flat.shape.slotCount, flat); });
   }
 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "host/formats/load_scene.h"
+#include "host/formats/loading/scene_builder.h"
 #include "host/scene/coincidence/coincidence.h"
 #include "host/trace/accel/grid.h"
 #include "host/trace/accel/primitive_bounds.h"
@@ -145,6 +146,34 @@ TEST_CASE("a grid has at most the given number of cells along an axis") {
   CHECK(glm::all(glm::lessThanEqual(limited.constants.gridSides, glm::uvec3(4))));
   CHECK(free.structureQuality.at("density") == 2);
   CHECK(limited.structureQuality.at("density") < 2);
+}
+
+TEST_CASE("the bytes of a structure are those of all records before the primitives, with and without instances") {
+  scene::Scene scene = loadFixture("primitives.p3f");
+  const auto structureBytes = [&] {
+    render::RenderSettings settings = smallSettings();
+    settings.structure.bvhLayout = render::BvhLayout::cwbvh;
+    const flatten::FlatScene flat = flatten::flattenScene(scene, settings);
+    const double bytes = flat.structureQuality.at("bytes");
+    CHECK(bytes == static_cast<double>(flat.constants.firstPrimitiveRow * sizeof(gpu::uvec4)));
+    return bytes;
+  };
+  const double alone = structureBytes();
+  scene::Mesh strip;
+  for (std::uint32_t i = 0; i <= scene::kMinInstanceTriangles; ++i) {
+    strip.positions.emplace_back(static_cast<float>(i), static_cast<float>(i % 2), 0.0f);
+    if (i > 1) strip.indices.insert(strip.indices.end(), {i - 2, i - 1, i});
+  }
+  strip.positions.emplace_back(0.0f, 2.0f, 0.0f);
+  strip.indices.insert(strip.indices.end(), {0, 1, scene::kMinInstanceTriangles + 1});
+  scene.meshes.push_back(strip);
+  const auto mesh = static_cast<std::uint32_t>(scene.meshes.size() - 1);
+  for (const double x : {0.0, 100.0}) {
+    glm::dmat4 map(1);
+    map[3].x = x;
+    scene::addInstance(scene, mesh, scene::placementOf(map).value(), 0);
+  }
+  CHECK(structureBytes() > alone);
 }
 
 TEST_CASE("the Whitted tracer's lights are squares that face the camera's target") {
