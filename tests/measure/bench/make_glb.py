@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Writes a GLB with a mesh of about N triangles that has indices, normals, tangents and texture coordinates.
 
-    python3 tests/measure/bench/make_glb.py [--triangles N] [--textured] -o FILE.glb
+    python3 tests/measure/bench/make_glb.py [--triangles N] [--textured] [--instances M] -o FILE.glb
 
 The mesh is a bumpy sphere under a grid of longitudes and latitudes. The same arguments give the same bytes. It is for
 measurements of loading and building; see docs/performance.md. --textured adds a normal map, so that the tangents are
-read when the picture is rendered.
+read when the picture is rendered. --instances shows M of them on a square in front of a camera, each of another height.
 """
 import argparse
 import json
@@ -63,7 +63,18 @@ def flat_normal_map():
             chunk(b"IDAT", zlib.compress(b"\0\x80\x80\xff")) + chunk(b"IEND", b""))
 
 
-def document(side, textured):
+def places(count):
+    """Returns translations and scales of instances, row by row from the front."""
+    side = math.isqrt(count - 1) + 1
+    translations, scales = array("f"), array("f")
+    for i in range(count):
+        height = 1 + 0.5 * math.sin(2.4 * i)
+        translations.extend((2.4 * (i % side - side / 2 + 0.5), height, -2.4 * (i // side)))
+        scales.extend((1, height, 1))
+    return translations, scales
+
+
+def document(side, textured, instances):
     """Returns the JSON and the binary chunk."""
     attributes, indices = mesh(side)
     kinds = (("POSITION", "VEC3", 3), ("NORMAL", "VEC3", 3), ("TANGENT", "VEC4", 4), ("TEXCOORD_0", "VEC2", 2))
@@ -82,6 +93,19 @@ def document(side, textured):
     root["accessors"].append({"bufferView": len(parts), "componentType": UNSIGNED_INT, "type": "SCALAR",
                               "count": len(indices)})
     parts.append(indices.tobytes())
+    if instances:
+        names = {}
+        for name, values in zip(("TRANSLATION", "SCALE"), places(instances)):
+            names[name] = len(root["accessors"])
+            root["accessors"].append({"bufferView": len(parts), "componentType": FLOAT, "type": "VEC3",
+                                      "count": instances})
+            parts.append(values.tobytes())
+        root["extensionsUsed"] = ["EXT_mesh_gpu_instancing"]
+        root["nodes"][0]["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": names}}
+        root["cameras"] = [{"type": "perspective", "perspective": {"yfov": 0.8, "znear": 0.1}}]
+        root["nodes"].append({"camera": 0, "translation": [0, 8, 10], "rotation": [math.sin(-0.15), 0, 0,
+                                                                                  math.cos(-0.15)]})
+        root["scenes"][0]["nodes"].append(1)
     if textured:
         root["images"] = [{"bufferView": len(parts), "mimeType": "image/png"}]
         root["textures"] = [{"source": 0}]
@@ -102,11 +126,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--triangles", type=int, default=1_000_000, metavar="N")
     parser.add_argument("--textured", action="store_true")
+    parser.add_argument("--instances", type=int, default=0, metavar="M")
     parser.add_argument("-o", "--output", required=True, metavar="FILE")
     options = parser.parse_args()
     if sys.byteorder != "little":
         sys.exit("this script writes the bytes of its arrays, which must be little-endian")
-    root, binary = document(max(1, math.isqrt(options.triangles // 2)), options.textured)
+    root, binary = document(max(1, math.isqrt(options.triangles // 2)), options.textured,
+                            options.instances)
     text = json.dumps(root).encode()
     text += b" " * (-len(text) % 4)
     with open(options.output, "wb") as file:
