@@ -4,8 +4,8 @@
     /usr/bin/python3 docs/gallery/make.py [--program build/release/candela] [--only NAME] [--scale S]
 
 Each picture is one scene and one command, which the page shows with the time, the device and the noise, before and after
-denoising. The noise is measured with a second render of another seed, which is not shown. --scale S multiplies the
-number of samples, for drafts. It needs NumPy and python3-openimageio.
+denoising. The noise is measured with a second render of another seed, which is not shown. --only renders one picture and
+replaces its section. --scale S multiplies the number of samples, for drafts. It needs NumPy and python3-openimageio.
 """
 import argparse
 import json
@@ -190,6 +190,15 @@ def render(picture, program, scale, folder):
     return lines
 
 
+def sections_of(page):
+    """Returns the lines of each section of the page, by its title."""
+    sections = {}
+    for section in page.split("\n## ")[1:]:
+        lines = ("## " + section).split("\n")
+        sections[lines[0].removeprefix("## ")] = lines
+    return sections
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--program", default=str(ROOT / "build/release/candela"))
@@ -203,12 +212,14 @@ def main():
              "`--denoise`. Their noise does not include what denoising blurs; [denoising](denoising.md) states whole errors. Times are of two cores of an AMD EPYC, and",
              "include reading the scene, building its acceleration structure and writing files.",
              ""]
+    sections = sections_of(PAGE.read_text()) if options.only else {}
     with tempfile.TemporaryDirectory() as folder:
         for picture in PICTURES_OF_PAGE:
             if options.only in (None, picture.name):
-                lines += render(picture, options.program, options.scale, folder)
-    if not options.only:
-        PAGE.write_text("\n".join([*lines, TURNTABLE]))
+                sections[picture.title] = render(picture, options.program, options.scale, folder)
+    for picture in PICTURES_OF_PAGE:
+        lines += sections.get(picture.title, [])
+    PAGE.write_text("\n".join([*lines, TURNTABLE]))
 
 
 if __name__ == "__main__":
