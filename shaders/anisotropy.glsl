@@ -14,7 +14,7 @@ void alignAnisotropy(inout Surface surface, inout Material material) {
     return;
   }
   vec2 direction = material.surface.rotation;
-  uint reference = kHasTextures && (surface.kind & kFlagTexCoords) != 0u
+  uint reference = kHasTextures && (surface.attributes & kGeometryTexCoords) != 0u
                        ? textureOf(surface.kind >> kMaterialShift, kSlotAnisotropy)
                        : 0u;
   if (reference != 0u) {

@@ -9,15 +9,15 @@ float coatReflectance(float weight, float cosine) {
   return weight * (0.04 + 0.96 * fifthPower(1.0 - min(cosine, 1.0)));
 }
 
-// Returns the weight of the coat at a point of the triangle whose attributes begin at `attributes`, 0 if it has none.
-float coatWeightAt(uint kind, uint attributes, vec2 weights, vec2 jitter) {
+// Returns the weight of the coat at a point of a primitive, 0 if it has none.
+float coatWeightAt(uint kind, Attributes attributes, vec2 weights, vec2 jitter) {
   uint material = kind >> kMaterialShift;
   uint surface = sceneRow(constants.firstMaterialRow + material * kMaterialRows + 3u).w;
   if (surface == 0u) return 0.0;
   float weight = loadCoat(surface - 1u).coatWeight;
-  uint reference = kHasTextures && (kind & kFlagTexCoords) != 0u ? textureOf(material, kSlotCoat) : 0u;
+  uint reference = kHasTextures && hasAll(attributes, kGeometryTexCoords) ? textureOf(material, kSlotCoat) : 0u;
   if (reference == 0u) return weight;
-  return weight * redOf(textureTexel(reference, texCoordsAt(attributes, kind, weights), jitter));
+  return weight * redOf(textureTexel(reference, texCoordsAt(attributes, weights), jitter));
 }
 
 #endif

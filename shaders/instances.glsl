@@ -71,7 +71,7 @@ void closestInInstances(inout Hit hit, Ray ray, inout Work work) {
     if (insideInstance) {
       while (leafHits != 0u) {
         uint slot = takeLeafHit();
-        uvec4 rows[3] = placedRows(visit.placement, slot);
+        uvec4 rows[3] = placedRows(visit.placement, rowsOfSlot(slot));
         keepCloser(hit, comparedHit(visit.ray, slot, rows, rows[2].w, kFinitePrimitive), slot, visit.instance);
         work.steps += 1u;
         if (leafHits == 0u) break;
@@ -95,7 +95,7 @@ bool anyInInstances(Ray ray, RayEnd end, inout Work work) {
     if (insideInstance) {
       while (leafHits != 0u && !blocked) {
         uint slot = takeLeafHit();
-        uvec4 rows[3] = placedRows(visit.placement, slot);
+        uvec4 rows[3] = placedRows(visit.placement, rowsOfSlot(slot));
         blocked = rowsHide(visit.ray, slot, rows, rows[2].w, end, kFinitePrimitive);
         work.steps += 1u;
         if (leafHits == 0u || blocked) break;

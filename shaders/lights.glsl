@@ -41,24 +41,24 @@ LightSample sampleSphereLight(Light light, Surface from, vec2 u) {
   vec3 emission = light.emission;
   if (kHasCoat) {
     float cosine = abs(dot(wi, wi * hit.t - toCentre)) / light.radius;
-    float weight = coatWeightAt(sceneRow(primitiveRow(light.slot) + 2u).w, 0u, vec2(0.0), vec2(0.0));
+    float weight = coatWeightAt(sceneRow(primitiveRow(light.slot) + 2u).w, kNoAttributes, vec2(0.0), vec2(0.0));
     emission *= 1.0 - coatReflectance(weight, cosine);
   }
   return LightSample(wi, emission, hit.t, light.probability * capPdf(height), false, kNoPoint);
 }
 
-// Returns the factor of the emission at a point of the triangle whose records begin at `row`, in a direction with this
-// cosine to its normal: the texel of its texture and the vertex colour, as far as they exist, times the opacity and the
+// Returns the factor of the emission at a point of the triangle with these records, in a direction with this cosine to
+// its normal: the texel of its texture and the vertex colour, as far as they exist, times the opacity and the
 // transmittance of the coat.
-vec3 emissionFactor(uint row, vec2 weights, float cosine, vec2 jitter) {
-  uint kind = sceneRow(row + 2u).w;
-  uint attributes = constants.firstAttributeRow + sceneRow(row).w;
+vec3 emissionFactor(uvec4 rows[3], vec2 weights, float cosine, vec2 jitter) {
+  uint kind = rows[2].w;
+  Attributes attributes = attributesOf(rows[0].w, indexOf(rows));
   vec3 factor = vec3(1.0);
-  if (kHasTextures && (kind & kFlagTexCoords) != 0u) {
+  if (kHasTextures && hasAll(attributes, kGeometryTexCoords)) {
     uint reference = textureOf(kind >> kMaterialShift, kSlotEmission);
-    if (reference != 0u) factor = linearColour(textureTexel(reference, texCoordsAt(attributes, kind, weights), jitter));
+    if (reference != 0u) factor = linearColour(textureTexel(reference, texCoordsAt(attributes, weights), jitter));
   }
-  if (kHasColours && (kind & kFlagEmissionColours) != 0u) factor *= colourAt(attributes, kind, weights).xyz;
+  if (kHasColours && hasAll(attributes, kGeometryEmissionColours)) factor *= colourAt(attributes, weights).xyz;
   if (kHasCoat) factor *= 1.0 - coatReflectance(coatWeightAt(kind, attributes, weights, jitter), cosine);
   if (kHasTransparency && (kind & kFlagTransparent) != 0u) factor *= opacityAt(attributes, kind, weights, jitter);
   return factor;
@@ -66,10 +66,10 @@ vec3 emissionFactor(uint row, vec2 weights, float cosine, vec2 jitter) {
 
 LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   if (from.slot == light.slot) return kNoLight;
-  uint row = primitiveRow(light.slot);
-  vec3 p0 = sceneRowFloat(row).xyz;
-  vec3 edge1 = sceneRowFloat(row + 1u).xyz - p0;
-  vec3 edge2 = sceneRowFloat(row + 2u).xyz - p0;
+  uvec4 rows[3] = rowsOfSlot(light.slot);
+  vec3 p0 = uintBitsToFloat(rows[0].xyz);
+  vec3 edge1 = uintBitsToFloat(rows[1].xyz) - p0;
+  vec3 edge2 = uintBitsToFloat(rows[2].xyz) - p0;
   vec2 weights = sampleTriangle(u);
   vec3 fromCorner = weights.x * edge1 + weights.y * edge2;
   vec3 toPoint = (p0 - from.position) + fromCorner;
@@ -80,7 +80,7 @@ LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
   if (cosine == 0.0 || (kOneSided && cosine < 0.0)) return kNoLight;
   vec3 emission = light.emission;
   if (kHasTextures || kHasColours || kHasCoat) {
-    emission *= emissionFactor(row, weights, abs(cosine), from.jitter.zw);
+    emission *= emissionFactor(rows, weights, abs(cosine), from.jitter.zw);
   }
   float pdf = light.probability * distanceSquared / (light.area * abs(cosine));
   return LightSample(wi, emission, distance, pdf, false, p0 + fromCorner);

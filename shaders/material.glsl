@@ -70,8 +70,8 @@ Material materialAt(Surface surface) {
   uint index = surface.kind >> kMaterialShift;
   Material material = loadMaterial(index);
   if (kHasColours) scaleBaseColour(material, surface.colour);
-  if (kHasColours && kHasEmission && (surface.kind & kFlagEmissionColours) != 0u) material.emission *= surface.colour;
-  if (kHasTextures && (surface.kind & kFlagTexCoords) != 0u) applyTextures(material, index, surface);
+  if (kHasColours && kHasEmission && (surface.attributes & kGeometryEmissionColours) != 0u) material.emission *= surface.colour;
+  if (kHasTextures && (surface.attributes & kGeometryTexCoords) != 0u) applyTextures(material, index, surface);
   return material;
 }
 

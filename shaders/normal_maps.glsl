@@ -17,8 +17,8 @@ vec3 mirroredAt(vec3 normal, vec3 w) { return w - 2.0 * dot(w, normal) * normal;
 
 // Returns whether the surface has all that a normal map needs, if its material has one.
 bool hasTangents(Surface surface) {
-  const uint needed = kFlagTangents | kFlagTexCoords;
-  return (surface.kind & needed) == needed;
+  const uint needed = kGeometryTangents | kGeometryTexCoords;
+  return (surface.attributes & needed) == needed;
 }
 
 // Replaces the shading normal of such a surface by that of the normal map that `reference` selects, unless it is 0.

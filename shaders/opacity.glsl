@@ -12,27 +12,29 @@ uint opacityKey(SampleKey key, uint depth, bool shadow) {
   return pcg4d(uvec4(key.pixel, key.sampleIndex, 2u * depth + (shadow ? 1u : 0u), key.seed ^ kOpacitySeed)).x;
 }
 
-// Returns the probability with which a ray hits a point of a triangle whose attributes begin at `row`. `jitter` selects
-// the texel of a material that blends.
-float opacityAt(uint row, uint kind, vec2 weights, vec2 jitter) {
+// Returns the probability with which a ray hits a point of a triangle. `jitter` selects the texel of a material that
+// blends.
+float opacityAt(Attributes attributes, uint kind, vec2 weights, vec2 jitter) {
   uvec4 opacity = sceneRow(materialTextureRow(kind >> kMaterialShift) + kOpacityRow);
   float alpha = uintBitsToFloat(opacity.x);
   float cutoff = uintBitsToFloat(opacity.y);
-  if (kHasColours && (kind & kFlagColours) != 0u) alpha *= colourAt(row, kind, weights).w;
+  if (kHasColours && hasAll(attributes, kGeometryColours)) alpha *= colourAt(attributes, weights).w;
   if (opacity.z != 0u) {
-    vec4 texCoords = texCoordsAt(row, kind, weights);
+    vec4 texCoords = texCoordsAt(attributes, weights);
     alpha *= cutoff < 0.0 ? alphaOf(textureTexel(opacity.z, texCoords, jitter)) : filteredAlpha(opacity.z, texCoords);
   }
   return cutoff < 0.0 ? alpha : alpha >= cutoff ? 1.0 : 0.0;
 }
 
 // Returns whether a ray hits a triangle that it may pass, at the distance that the intersection test has found.
-bool isThere(Ray ray, uvec4 rows[3], float t) {
+bool isThere(Ray ray, uint slot, uvec4 rows[3], float t) {
   vec3 position = ray.origin + t * ray.direction;
   vec2 weights = barycentrics(position, uintBitsToFloat(rows[0].xyz), uintBitsToFloat(rows[1].xyz),
                               uintBitsToFloat(rows[2].xyz));
   vec3 numbers = toUnit(pcg4d(uvec4(ray.opacityKey, indexOf(rows), 0u, 0u))).xyz;
-  return numbers.x < opacityAt(constants.firstAttributeRow + rows[0].w, rows[2].w, weights, numbers.yz);
+  uint index = kHasInstances ? sceneRow(primitiveRow(slot) + 1u).w : indexOf(rows);  // `rows` may have been placed
+  Attributes attributes = attributesOf(rows[0].w, index);
+  return numbers.x < opacityAt(attributes, rows[2].w, weights, numbers.yz);
 }
 
 #endif

@@ -70,6 +70,7 @@ const uint kRootRadianceSumRow = kScatteredOnceSumRow + (kSumsScatteredOnce ? 3u
 const uint kAlbedoSquaredSumRow = kRootRadianceSumRow + (kSumsRootRadiance ? 3u : 0u);
 const uint kLayerRows = kAlbedoSquaredSumRow + (kSumsAlbedoSquared ? 1u : 0u);
 const bool kHasTexCoords = kHasTextures || kSumsTexCoord;
+const bool kHasAttributes = kHasSmooth || kHasTexCoords || kHasColours || kHasTangents;
 
 const bool kCountsHits = kBackdrop == kBackdropNone;
 const bool kHasCoincident = kCoincident != 0u;

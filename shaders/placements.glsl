@@ -41,9 +41,8 @@ vec3 placedDirection(uint instance, uint matrix, vec3 direction) {
 }
 
 // Returns the records of a triangle of an instance as those of other triangles are: with the vertices in the scene, and with
-// the primitive index.
-uvec4[3] placedRows(Placement placement, uint slot) {
-  uvec4 rows[3] = rowsOfSlot(slot);
+// the primitive index in it.
+uvec4[3] placedRows(Placement placement, uvec4 rows[3]) {
   rows[0].xyz = floatBitsToUint(placedPoint(placement, uintBitsToFloat(rows[0].xyz)));
   rows[1].xyz = floatBitsToUint(placedPoint(placement, uintBitsToFloat(rows[1].xyz)));
   rows[2].xyz = floatBitsToUint(placedPoint(placement, uintBitsToFloat(rows[2].xyz)));
@@ -54,7 +53,7 @@ uvec4[3] placedRows(Placement placement, uint slot) {
 // Returns the records of any primitive.
 uvec4[3] placedRowsOf(uint slot, uint instance) {
   if (!kHasInstances || instance == 0u) return rowsOfSlot(slot);
-  return placedRows(loadPlacement(instance), slot);
+  return placedRows(loadPlacement(instance), rowsOfSlot(slot));
 }
 
 #endif

@@ -47,8 +47,8 @@ uvec4[3] rowsOfSlot(uint slot) {
   return uvec4[3](sceneRow(row), sceneRow(row + 1u), sceneRow(row + 2u));
 }
 
-// Returns the index in the scene of the primitive with these records.
-uint indexOf(uvec4 rows[3]) { return rows[1].w & kIndexMask; }
+// Returns the primitive index of the primitive with these records.
+uint indexOf(uvec4 rows[3]) { return rows[1].w; }
 
 bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
 
@@ -67,9 +67,10 @@ uint lightRow(uint light) { return constants.firstLightRow + light * kLightRows;
 Light loadLight(uint light) {
   uint row = lightRow(light);
   uvec4 head = sceneRow(row);
-  vec4 emission = sceneRowFloat(row + 1u);
+  uvec4 emission = sceneRow(row + 1u);
   vec4 position = sceneRowFloat(row + 2u);
-  return Light(uintBitsToFloat(head.y), head.z, head.w, emission.xyz, emission.w, position.xyz, position.w);
+  return Light(uintBitsToFloat(head.y), emission.w, head.w, uintBitsToFloat(emission.xyz), uintBitsToFloat(head.z),
+               position.xyz, position.w);
 }
 
 struct PointLight {

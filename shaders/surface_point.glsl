@@ -13,6 +13,7 @@ struct Surface {
   uint slot;
   uint instance;    // number of the instance, or 0
   uint kind;        // kind, flags and material
+  uint attributes;  // kGeometry... of a triangle, or 0
   uint light;       // index in the light table + 1; 0: not in the table
   uint index;       // primitive index in the scene
   uint contact;     // kOriginBeyond or kOriginBack, if the ray hit it at once
@@ -29,39 +30,39 @@ struct Surface {
 // Cosine of a vertex normal to the geometric normal below which rounding could decide on which side it is.
 const float kMinNormalCosine = 1.0 / 65536.0;
 
-void smoothTriangle(inout Surface surface, uint normalRow, vec2 weights) {
-  vec3 mean = directionAt(normalRow, surface.instance, kNormalMatrix, weights);
+void smoothTriangle(inout Surface surface, Attributes attributes, vec2 weights) {
+  vec3 mean = normalAt(attributes, surface.instance, weights);
   float squared = dot(mean, mean);
   vec3 shading = squared > 0.0 ? mean * (1.0 / sqrt(squared)) : surface.outward;
   float cosine = dot(shading, surface.outward);
   surface.shading = abs(cosine) < kMinNormalCosine ? surface.outward : cosine < 0.0 ? -shading : shading;
-  surface.light = sceneRow(normalRow).w;
 }
 
-void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint extra) {
+// `geometry` and `index` are those of the triangle's records.
+void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint geometry, uint index) {
   vec2 weights = barycentrics(surface.position, p0, p1, p2);
   precise vec3 onPlane = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
   surface.position = onPlane;
   surface.outward = triangleNormal(p1 - p0, p2 - p0);
   surface.shading = surface.outward;
-  surface.light = extra;
-  uint row = constants.firstAttributeRow + extra;
-  bool hasNormals = kHasSmooth && (surface.kind & kFlagSmooth) != 0u;
-  if (hasNormals) smoothTriangle(surface, row, weights);
-  bool hasTexCoords = kHasTexCoords && (surface.kind & kFlagTexCoords) != 0u;
-  bool hasColours = kHasColours && (surface.kind & kFlagColours) != 0u;
-  bool hasTangents = kHasTangents && (surface.kind & kFlagTangents) != 0u;
-  if ((hasTexCoords || hasColours || hasTangents) && !hasNormals) surface.light = sceneRow(row).x;
-  if (hasTexCoords) surface.texCoords = texCoordsAt(row, surface.kind, weights);
-  if (hasColours) surface.colour = colourAt(row, surface.kind, weights).xyz;
-  if (hasTangents) surface.tangent = tangentAt(row, surface.kind, surface.instance, weights);
+  if (kHasTriangleLights) surface.light = lightOf(geometry, index);
+  Attributes attributes = attributesOf(geometry, index);
+  surface.attributes = attributes.flags;
+  if (kHasSmooth && hasAll(attributes, kGeometryNormals)) smoothTriangle(surface, attributes, weights);
+  if (kHasTexCoords && hasAll(attributes, kGeometryTexCoords)) surface.texCoords = texCoordsAt(attributes, weights);
+  if (kHasColours && hasAll(attributes, kGeometryColours)) surface.colour = colourAt(attributes, weights).xyz;
+  if (kHasTangents && hasAll(attributes, kGeometryTangents)) {
+    surface.tangent = tangentAt(attributes, surface.instance, weights);
+  }
 }
 
 // Returns the surface point of a ray's hit.
 Surface surfaceAt(Ray ray, Hit hit) {
   uint slot = hit.slot;
   float t = hit.t;
-  uvec4 rows[3] = placedRowsOf(slot, hit.instance);
+  uvec4 rows[3] = rowsOfSlot(slot);
+  uint storedIndex = indexOf(rows);
+  if (kHasInstances && hit.instance != 0u) rows = placedRows(loadPlacement(hit.instance), rows);
   vec4 row0 = uintBitsToFloat(rows[0]);
   vec4 row1 = uintBitsToFloat(rows[1]);
   vec4 row2 = uintBitsToFloat(rows[2]);
@@ -71,6 +72,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   surface.slot = slot;
   surface.instance = hit.instance;
   surface.kind = rows[2].w;
+  surface.attributes = 0u;
   surface.index = indexOf(rows);
   bool forth = (ray.originSlot & (kOriginCrosses | kOriginBack)) != 0u;
   surface.contact = !kHasCoincident || t != kAtOnce ? 0u : forth ? kOriginBeyond : kOriginBack;
@@ -103,7 +105,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   }
   surface.shading = surface.outward;
   if (kHasTriangles && isKind(surface.kind, kKindTriangle)) {
-    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, rows[0].w);
+    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, rows[0].w, storedIndex);
   }
   return surface;
 }

@@ -14,11 +14,14 @@ struct Work {
 };
 
 void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot, uint instance) {
-  bool better = candidate.t < hit.t || (candidate.t == hit.t && candidate.index < hit.index);
+  bool first = candidate.index < hit.index;
+  if (kHasBehind && candidate.behind != hit.behind) first = hit.behind;
+  bool better = candidate.t < hit.t || (candidate.t == hit.t && first);
   hit.t = better ? candidate.t : hit.t;
   hit.slot = better ? slot : hit.slot;
   hit.index = better ? candidate.index : hit.index;
   if (kHasInstances) hit.instance = better ? instance : hit.instance;
+  if (kHasBehind) hit.behind = better ? candidate.behind : hit.behind;
 }
 
 // Returns 0, because no component of a direction reaches 2. Compilers cannot know this: docs/driver-workarounds.md
@@ -104,7 +107,7 @@ vec3 inverseDirection(vec3 direction) {
 
 Hit traceClosest(Ray ray, inout Work work) {
   ray = withStart(ray);
-  Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu, 0u);
+  Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu, 0u, true);
   if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
   else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
@@ -112,10 +115,9 @@ Hit traceClosest(Ray ray, inout Work work) {
   else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
   if (kHasInstances) closestInInstances(hit, ray, work);
-  if (kHasBehind && hit.t < kNoHit && (hit.index & kIndexBehind) != 0u) {
+  if (kHasBehind && hit.t < kNoHit && hit.behind) {
     uvec4 rows[3] = placedRowsOf(hit.slot, hit.instance);
     hit.t = distanceToRows(ray, hit.slot, rows, rows[2].w, kAnyPrimitive);
-    hit.index &= kIndexMask;
   }
   return hit;
 }

@@ -36,7 +36,7 @@ void main() {
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
-  Hit hit = Hit(uintBitsToFloat(found.x), found.y, found.z, kHasInstances ? state.instances.y : 0u);
+  Hit hit = Hit(uintBitsToFloat(found.x), found.y, found.z, kHasInstances ? state.instances.y : 0u, false);
   bool continues = shadeHit(path, hit, key, work, counts, decisions, shadow);
   if (changesLayers) storeLayers(pixelIndex);
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),

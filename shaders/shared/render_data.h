@@ -35,7 +35,7 @@ struct RenderConstants {
   uint firstPrimitiveRow;
   uint firstMaterialRow;
   uint firstLightRow;
-  uint firstAttributeRow;
+  uint firstGeometryRow;
   uint firstSkyRow;
   uint firstPlaneSlot;  // infinite planes come after all other primitives
   uint slotCount;
@@ -59,8 +59,8 @@ struct RenderConstants {
   uint firstEnvironmentRow;  // first record of the texels
   uint firstInstanceRow;
   uint topNode;  // the root of the BVH over instances
+  uint firstAttributeRow;
   uint unused0;
-  uint unused1;
 };
 
 // Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see

@@ -28,10 +28,10 @@ CANDELA_CONST uint kItemsPerRow = 4u;
 
 // Primitives ("slots", in the order of the BVH's leaves or of the grid's cells, with infinite planes last), three
 // records each. Triangles of instances come after the planes, once for all instances of a mesh and a material. Common
-// to all kinds: w of record 1 is the primitive index in the scene, or for an instance that in the mesh, and
-// kIndexBehind; w of record 2 is kind, flags and material (below).
+// to all kinds: w of record 1 is the primitive index in the scene, or for an instance that in the mesh; w of record 2 is
+// kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see intersections.glsl
-//   triangle  (p0, light + 1, or first record of its attributes if it has any) (p1, .) (p2, .)
+//   triangle  (p0, geometry) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
 //   cone      (base, base radius) (apex, .) (apex radius, 0, 0, .)
 //   plane     (point, 0) (unit normal, .) (0, 0, 0, .)
@@ -43,29 +43,39 @@ CANDELA_CONST uint kKindMask = 7u;
 CANDELA_CONST uint kFlagInsideOnly = 8u;     // sphere of negative radius
 CANDELA_CONST uint kFlagTouched = 16u;       // the surface may contain a light: occlusion.glsl
 CANDELA_CONST uint kFlagOpaque = 32u;        // T = 0: --one-sided applies
-CANDELA_CONST uint kFlagColours = 8u;        // triangle with vertex colours; the same bit as kFlagInsideOnly
-CANDELA_CONST uint kFlagTexCoords = 64u;     // triangle with texture coordinates
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
-CANDELA_CONST uint kFlagSmooth = 256u;            // triangle with vertex normals
-CANDELA_CONST uint kFlagTangents = 512u;          // triangle with tangents
-CANDELA_CONST uint kFlagEmissionColours = 1024u;  // triangle whose vertex colours scale the emission
-CANDELA_CONST uint kFlagCoincident = 2048u;       // another surface may coincide with it: coincidence.glsl
-CANDELA_CONST uint kFlagTransmits = 4096u;        // rays may cross the surface
-CANDELA_CONST uint kFlagThinWalled = 8192u;       // it bounds no volume
-CANDELA_CONST uint kIndexBehind = 0x80000000u;    // it is behind an emitter: docs/light-transport.md section 4
-CANDELA_CONST uint kIndexMask = 0x7fffffffu;
+CANDELA_CONST uint kFlagBehind = 256u;       // it is behind an emitter: docs/light-transport.md section 4
+CANDELA_CONST uint kFlagCoincident = 2048u;  // another surface may coincide with it: coincidence.glsl
+CANDELA_CONST uint kFlagTransmits = 4096u;   // rays may cross the surface
+CANDELA_CONST uint kFlagThinWalled = 8192u;  // it bounds no volume
 CANDELA_CONST uint kMaterialShift = 14u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 
-// Attributes of triangles, for each triangle those that its flags name, in this order: vertex normals, three records:
-// (n0, light + 1) (n1, 0) (n2, 0), or for triangles without normals one record (light + 1, 0, 0, 0); both sets of
-// texture coordinates, three records, one for each vertex, with set 0 in x and y and set 1 in z and w; vertex
-// colours, three records with linear RGBA; and tangents, three records (unit vector, handedness). Vertices, normals and
-// tangents of instances are those of the mesh.
-CANDELA_CONST uint kNormalRows = 3u;
-CANDELA_CONST uint kTexCoordRows = 3u;
-CANDELA_CONST uint kColourRows = 3u;
+// Geometries, two records each: what is common to triangles of a mesh with one placement, which are lights or whose
+// vertices have attributes: (flags, corners, normals, texture coordinates) (1 if they are lights, lights, colours,
+// tangents). `corners` + i is the index of the corners of the triangle with the primitive index i, below, or without
+// kGeometryIndexed, `corners` + 3 i is the vertex of the first of its corners, which the two others follow. `lights` + i
+// is the index of the triangle in the light table + 1. Both sums are modulo 2^32, because the triangles do not begin
+// with the primitive index 0. Geometry 0 is that of triangles without any of this, all 0. The others are the first records of arrays, counted from the beginning of the attributes.
+CANDELA_CONST uint kGeometryRows = 2u;
+CANDELA_CONST uint kGeometryNormals = 1u;           // the vertices have normals, and so on
+CANDELA_CONST uint kGeometryTexCoords = 2u;
+CANDELA_CONST uint kGeometrySecondTexCoords = 4u;   // set 1, besides set 0
+CANDELA_CONST uint kGeometryColours = 8u;
+CANDELA_CONST uint kGeometryTangents = 16u;
+CANDELA_CONST uint kGeometryEmissionColours = 32u;  // the colours scale the emission
+CANDELA_CONST uint kGeometryIndexed = 64u;
+
+// Attributes, arrays with an element for each vertex of a mesh, which all of its geometries share: normals, a record
+// (n, 0); texture coordinates of set 0, half a record, or of both sets, a record, with set 0 in x and y and set 1 in z
+// and w; colours, a record of linear RGBA; tangents, a record (unit vector, handedness). Texture coordinates that a mesh
+// lacks but its material needs are 0. Normals and tangents of instances are those of the mesh.
+//
+// Corners, the vertices of a triangle: three numbers of kCornerBits bits in two words, two triangles in a record. In
+// scenes with a mesh of more than kMaxPackedVertices, all meshes have three words instead.
+CANDELA_CONST uint kCornerBits = 21u;
+CANDELA_CONST uint kMaxPackedVertices = 1u << kCornerBits;
 
 // Instances (docs/light-transport.md section 4.1), eleven records. The first four are the columns of the placement, A
 // and b, and the next three those of the normal matrix N; four more are those of the map from the scene to the space of
@@ -122,10 +132,11 @@ CANDELA_CONST uint kEnergyRows = 2u;
 // Tables of anisotropic glass, if the scene has volumes, too: after those, for every node of the index of refraction,
 // such a table of energy::kAnisotropicGlassOutside, then of energy::kAnisotropicGlassInside.
 
-// Lights of the path tracer, three records: (threshold, probability, kind, slot) (emission, colour or intensity, area)
+// Lights of the path tracer, three records: (threshold, probability, area, slot) (emission, colour or intensity, kind)
 // (centre or position, radius). A directional light has the direction towards it as its position. A spot light has,
 // instead of the area, the index of one more record among those that follow the last light:
-// (direction, cosine of the outer angle); and instead of the radius 1 / (difference of the cosines).
+// (direction, cosine of the outer angle); and instead of the radius 1 / (difference of the cosines). What the pdf of a
+// triangle needs is in the first record.
 CANDELA_CONST uint kLightRows = 3u;
 #define CANDELA_DECLARE_KIND(kind, feature, name, value) CANDELA_CONST uint name = value;
 CANDELA_LIGHT_KINDS(CANDELA_DECLARE_KIND)

@@ -37,7 +37,7 @@ void placeSpheres(const scene::Scene& scene, const scene::Camera& camera, std::s
   for (std::size_t slot = 0; slot < rows.size() / gpu::kPrimitiveRows; ++slot) {
     const std::span<gpu::uvec4> records = slotOf(rows, slot);
     if (!isSphere(records)) continue;
-    const scene::Primitive& primitive = scene.primitives[records[1].w & gpu::kIndexMask];
+    const scene::Primitive& primitive = scene.primitives[records[1].w];
     placeSphere(scene.spheres[primitive.index], camera.from, records.first<2>());
   }
 }

@@ -133,7 +133,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   noteLights(table, marks.touched, flat.shape.features);
   flat.shape.behindReach = coincidences.behindReach;
   flat.shape.coincident = coincidentKinds(scene, marks.coincident, settings.image.integrator);
-  appendPrimitives(scene, {order, std::move(instances.orders)}, table, marks, settings.image, flat);
+  appendPrimitives(scene, {order, std::move(instances.orders), plan.isInstance}, table, marks, settings.image, flat);
   if (plan.hasInstances()) appendInstances(scene, plan, instances, bounds.coincidentReach, flat);
   flat.shape.rowsAhead = limits.smallScene.rowsAhead;
   if (isList) copySlotRows(flat);

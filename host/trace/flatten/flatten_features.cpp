@@ -5,6 +5,7 @@
 
 #include "host/trace/flatten/flat_scene.h"
 #include "host/trace/flatten/flatten_sections.h"
+#include "host/trace/flatten/geometries.h"
 #include "host/trace/flatten/lobes.h"
 
 namespace candela::flatten {
@@ -30,6 +31,8 @@ void noteRun(const scene::Scene& scene, const scene::PrimitiveRun& run, SceneFea
   }
   if (primitive.kind == scene::PrimitiveKind::triangle) {
     features.smooth |= isSmooth(scene, primitive);
+    features.secondTexCoords |= hasSecondTexCoords(scene, primitive);
+    features.longCorners |= needsLongCorners(meshOf(scene, primitive));
     features.colours |= !meshOf(scene, primitive).colours.empty();
     features.tangents |= hasTangents(scene, primitive);
     features.normalMaps |= hasTangents(scene, primitive) && hasNormalMap(scene.materials[primitive.material]);

@@ -10,8 +10,8 @@ namespace candela::flatten {
 namespace {
 
 void appendPointLight(const scene::PointLight& light, const LightEntry& entry, Rows& rows) {
-  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightPoint, gpu::kNoSlot});
-  rows.push_back(row(glm::dvec3(light.colour), 0.0));
+  rows.push_back({entry.threshold, floatBits(entry.probability), 0, gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.colour), gpu::kLightPoint));
   rows.push_back(row(glm::dvec3(light.position), 0.0));
 }
 
@@ -20,22 +20,25 @@ void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& en
   const bool isSpot = entry.kind == LightKind::spot;
   const glm::dvec3 point = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
                                                                 : glm::dvec3(light.position);
-  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), gpu::kNoSlot});
-  rows.push_back(row(glm::dvec3(light.intensity), isSpot ? static_cast<double>(cone) : 0.0));
+  const std::uint32_t coneWord = isSpot ? floatBits(static_cast<double>(cone)) : 0;
+  rows.push_back({entry.threshold, floatBits(entry.probability), coneWord, gpu::kNoSlot});
+  rows.push_back(row(glm::dvec3(light.intensity), static_cast<std::uint32_t>(entry.kind)));
   rows.push_back(row(point, isSpot ? 1 / (double{light.versineOuter} - double{light.versineInner}) : 0.0));
 }
 
 void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
-  rows.push_back({entry.threshold, floatBits(entry.probability), gpu::kLightEnvironment, gpu::kNoSlot});
-  rows.insert(rows.end(), gpu::kLightRows - 1, gpu::uvec4(0));
+  rows.push_back({entry.threshold, floatBits(entry.probability), 0, gpu::kNoSlot});
+  rows.push_back({0, 0, 0, gpu::kLightEnvironment});
+  rows.push_back({});
 }
 
 void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint32_t slot, Rows& rows) {
   const scene::Primitive& primitive = scene.primitives[entry.index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
   const bool sphere = entry.kind == LightKind::sphere;
-  rows.push_back({entry.threshold, floatBits(entry.probability), static_cast<std::uint32_t>(entry.kind), slot});
-  rows.push_back(row(emission, sphere ? 0.0 : triangleArea(triangleOf(scene, primitive))));
+  const double area = sphere ? 0.0 : triangleArea(triangleOf(scene, primitive));
+  rows.push_back({entry.threshold, floatBits(entry.probability), floatBits(area), slot});
+  rows.push_back(row(emission, static_cast<std::uint32_t>(entry.kind)));
   const scene::Sphere ball = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
 }

@@ -1,4 +1,4 @@
-// Stores primitives and attributes as 16-byte records.
+// Stores primitives as 16-byte records.
 #include "host/trace/flatten/flatten_primitives.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "host/scene/coincidence/coincidence.h"
 #include "host/scene/shape.h"
 #include "host/scene/stored_primitives.h"
+#include "host/trace/flatten/geometries.h"
 
 namespace candela::flatten {
 namespace {
@@ -25,63 +26,85 @@ std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& contex
   const scene::Primitive& primitive = context.primitive;
   const std::uint32_t touched = context.touched ? gpu::kFlagTouched : 0;
   const std::uint32_t opaque = scene.materials[primitive.material].opaque ? gpu::kFlagOpaque : 0;
-  return kindAndFlags | touched | opaque | context.coincidence | primitive.material << gpu::kMaterialShift;
+  const std::uint32_t behind = context.behind ? gpu::kFlagBehind : 0;
+  return kindAndFlags | touched | opaque | behind | context.coincidence | primitive.material << gpu::kMaterialShift;
 }
 
-std::uint32_t indexWord(const PrimitiveContext& context) {
-  return context.index | (context.behind ? gpu::kIndexBehind : 0);
-}
-
-void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
-                 Rows&) {
+void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows) {
   const std::uint32_t inside = sphere.radius < 0 ? gpu::kFlagInsideOnly : 0;
   rows.push_back({});
-  rows.push_back({0, 0, 0, indexWord(context)});
+  rows.push_back({0, 0, 0, context.index});
   placeSphere(sphere, scene.camera->from, std::span(rows).last<2>());
-  rows.push_back({context.light, 0, 0, kindWord(scene, context, gpu::kKindSphere | inside)});
+  rows.push_back({context.reference, 0, 0, kindWord(scene, context, gpu::kKindSphere | inside)});
 }
 
 void appendShape(const scene::Triangle& triangle, const scene::Scene& scene, const PrimitiveContext& context,
-                 Rows& rows, Rows& attributes) {
-  const scene::Primitive& primitive = context.primitive;
-  const std::uint32_t flags = attributeFlags(scene, context, primitive);
-  const std::uint32_t passed = scene.materials[primitive.material].opacity ? gpu::kFlagTransparent : 0;
-  const std::uint32_t extra = flags != 0 ? static_cast<std::uint32_t>(attributes.size()) : context.light;
-  if (flags != 0) appendAttributes(scene, context, primitive, flags, attributes);
-  rows.push_back(row(glm::dvec3(triangle.p[0]), extra));
-  rows.push_back(row(glm::dvec3(triangle.p[1]), indexWord(context)));
-  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | flags | passed)));
+                 Rows& rows) {
+  const std::uint32_t passed = scene.materials[context.primitive.material].opacity ? gpu::kFlagTransparent : 0;
+  rows.push_back(row(glm::dvec3(triangle.p[0]), context.reference));
+  rows.push_back(row(glm::dvec3(triangle.p[1]), context.index));
+  rows.push_back(row(glm::dvec3(triangle.p[2]), kindWord(scene, context, gpu::kKindTriangle | passed)));
 }
 
-void appendShape(const scene::Box& box, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows, Rows&) {
+void appendShape(const scene::Box& box, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows) {
   rows.push_back(row(glm::dvec3(box.min), 0u));
-  rows.push_back(row(glm::dvec3(box.max), indexWord(context)));
+  rows.push_back(row(glm::dvec3(box.max), context.index));
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindBox)});
 }
 
 // Equal cones with their ends in either order have equal distances if their records are equal.
-void appendShape(const scene::Cone& stated, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
-                 Rows&) {
+void appendShape(const scene::Cone& stated, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows) {
   const scene::Cone cone = context.coincidence != 0 ? withSortedEnds(stated) : stated;
   rows.push_back(row(glm::dvec3(cone.base), double{cone.baseRadius}));
-  rows.push_back(row(glm::dvec3(cone.apex), indexWord(context)));
+  rows.push_back(row(glm::dvec3(cone.apex), context.index));
   rows.push_back({floatBits(cone.apexRadius), 0, 0, kindWord(scene, context, gpu::kKindCone)});
 }
 
-void appendShape(const scene::Plane& plane, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows,
-                 Rows&) {
+void appendShape(const scene::Plane& plane, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows) {
   const glm::dvec3 point(plane.p[0]);
   const glm::dvec3 normal = glm::normalize(glm::cross(glm::dvec3(plane.p[1]) - point, glm::dvec3(plane.p[2]) - point));
   rows.push_back(row(point, 0u));
-  rows.push_back(row(normal, indexWord(context)));
+  rows.push_back(row(normal, context.index));
   rows.push_back({0, 0, 0, kindWord(scene, context, gpu::kKindPlane)});
 }
 
-// Appends the records of one primitive to `primitives`, and those of its vertices' attributes, if it has any, to
-// `attributes`. A triangle refers to `attributes` by the index of a record within that section.
-void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& primitives, Rows& attributes) {
-  std::visit([&](const auto& shape) { appendShape(shape, scene, context, primitives, attributes); },
-             shapeOf(scene, context.primitive));
+// Appends the records of one primitive.
+void appendPrimitive(const scene::Scene& scene, const PrimitiveContext& context, Rows& rows) {
+  std::visit([&](const auto& shape) { appendShape(shape, scene, context, rows); }, shapeOf(scene, context.primitive));
+}
+
+// Returns the geometries of the runs whose triangles belong to no instance, by run.
+std::vector<std::uint32_t> geometriesOfRuns(const scene::Scene& scene, const std::vector<bool>& isInstance,
+                                            Geometries& geometries) {
+  const std::span<const scene::PrimitiveRun> runs = scene.primitives.runs();
+  std::vector<std::uint32_t> numbers(runs.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const bool isOwn = isInstance.empty() || !isInstance[i];
+    if (isOwn && runs[i].start.kind == scene::PrimitiveKind::triangle) numbers[i] = geometries.ofRun(runs[i]);
+  }
+  return numbers;
+}
+
+std::size_t indexOf(const scene::Scene& scene, const scene::PrimitiveRun& run) {
+  return static_cast<std::size_t>(&run - scene.primitives.runs().data());
+}
+
+// Returns for each primitive in the light table what its records refer to: for a sphere its light + 1, for a triangle
+// its geometry.
+std::unordered_map<std::uint32_t, std::uint32_t> referencesOfLights(const scene::Scene& scene,
+                                                                    std::span<const LightEntry> table,
+                                                                    std::span<const std::uint32_t> geometriesOfRuns,
+                                                                    Geometries& geometries) {
+  std::unordered_map<std::uint32_t, std::uint32_t> references;
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    if (!table[i].isEmitter()) continue;
+    const std::uint32_t primitive = table[i].index, light = i + 1;
+    const std::size_t run = indexOf(scene, scene.primitives.runOf(primitive));
+    references[primitive] = table[i].kind == LightKind::triangle
+                                ? geometries.ofLight(geometriesOfRuns[run], primitive, light)
+                                : light;
+  }
+  return references;
 }
 
 }  // namespace
@@ -98,44 +121,45 @@ void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gp
 void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::span<const LightEntry> table,
                       const PrimitiveMarks& marks, const render::ImageSettings& image, FlatScene& flat) {
   const scene::StoredPrimitives stored(scene.primitives);
-  std::unordered_map<std::uint32_t, std::uint32_t> lightOf;
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
-    if (table[i].isEmitter()) lightOf[table[i].index] = i + 1;
-  }
+  Geometries geometries(scene, image.layers.has(image::Layer::uv), flat.shape.features.longCorners);
+  const std::vector<std::uint32_t> ofRuns = geometriesOfRuns(scene, order.isInstance, geometries);
+  const auto references = referencesOfLights(scene, table, ofRuns, geometries);
+  std::vector<std::uint32_t> ofPrototypes;
   std::size_t slotCount = order.own.size();
-  for (const std::vector<std::uint32_t>& prototype : order.ofPrototypes) slotCount += prototype.size();
-  // Vectors that grow would copy the records of large meshes several times. Memory beyond the part in use is never
-  // touched.
-  const std::size_t attributeRows = slotCount * attributeRowsOf(flat.shape.features);
-  Rows attributes;
-  attributes.reserve(attributeRows);
-  flat.rows.reserve(flat.rows.size() + slotCount * gpu::kPrimitiveRows + attributeRows);
+  for (const std::vector<std::uint32_t>& prototype : order.ofPrototypes) {
+    ofPrototypes.push_back(geometries.ofPrototype(scene.primitives.runOf(prototype.front())));
+    slotCount += prototype.size();
+  }
+  // A vector that grows would copy the records of large meshes several times.
+  flat.rows.reserve(flat.rows.size() + slotCount * gpu::kPrimitiveRows + geometries.countRows());
   flat.constants.firstPrimitiveRow = rowCount(flat.rows);
-  const auto append = [&](std::uint32_t primitive, const scene::Primitive& entry, std::uint32_t index) {
-    const auto light = lightOf.find(primitive);
+  const auto append = [&](std::uint32_t primitive, const scene::Primitive& entry, std::uint32_t index,
+                          std::uint32_t geometry) {
     const std::uint32_t number = stored.indexOf(primitive);
     const bool emits = isEmissive(scene.materials[entry.material]);
+    const auto light = emits ? references.find(primitive) : references.end();
     const PrimitiveContext context{
         .primitive = entry,
         .index = index,
-        .light = light == lightOf.end() ? 0 : light->second,
+        .reference = light == references.end() ? geometry : light->second,
         .touched = marks.touched[number],
         .coincidence = marks.coincident[number] ? coincidenceFlags(scene, entry, image.integrator) : 0,
-        .behind = marks.behind[number] && !emits,
-        .keepsTexCoords = image.layers.has(image::Layer::uv)};
-    appendPrimitive(scene, context, flat.rows, attributes);
+        .behind = marks.behind[number] && !emits};
+    appendPrimitive(scene, context, flat.rows);
   };
-  for (const std::uint32_t primitive : order.own) append(primitive, scene.primitives[primitive], primitive);
-  for (const std::vector<std::uint32_t>& prototype : order.ofPrototypes) {
-    const scene::PrimitiveRun& run = scene.primitives.runOf(prototype.front());
-    for (const std::uint32_t primitive : prototype) {
+  for (const std::uint32_t primitive : order.own) {
+    const scene::PrimitiveRun& run = scene.primitives.runOf(primitive);
+    append(primitive, run.at(primitive), primitive, ofRuns[indexOf(scene, run)]);
+  }
+  for (std::size_t i = 0; i < order.ofPrototypes.size(); ++i) {
+    const scene::PrimitiveRun& run = scene.primitives.runOf(order.ofPrototypes[i].front());
+    for (const std::uint32_t primitive : order.ofPrototypes[i]) {
       scene::Primitive entry = run.at(primitive);
       entry.placement = scene::Primitive::kUnplaced;
-      append(primitive, entry, primitive - run.first);
+      append(primitive, entry, primitive - run.first, ofPrototypes[i]);
     }
   }
-  flat.constants.firstAttributeRow = rowCount(flat.rows);
-  flat.rows.insert(flat.rows.end(), attributes.begin(), attributes.end());
+  geometries.append(flat);
 }
 
 void copySlotRows(FlatScene& flat) {

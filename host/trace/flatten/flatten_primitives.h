@@ -1,4 +1,4 @@
-// Stores primitives and the attributes of vertices as 16-byte records.
+// Stores primitives as 16-byte records.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -15,11 +15,10 @@ namespace candela::flatten {
 struct PrimitiveContext {
   scene::Primitive primitive;     ///< without its placement, if its instance is stored as such
   std::uint32_t index = 0;        ///< in Scene::primitives; for an instance from its first primitive
-  std::uint32_t light = 0;        ///< index in the light table + 1; 0: not in it
+  std::uint32_t reference = 0;    ///< of a sphere: its index in the light table + 1, or 0; of a triangle: its geometry
   bool touched = false;           ///< the surface may contain a light: touched_primitives.h
   std::uint32_t coincidence = 0;  ///< flags of a surface with which another one may coincide
   bool behind = false;            ///< an emitter that coincides with it is in front of it
-  bool keepsTexCoords = false;    ///< even if no texture needs the texture coordinates
 };
 
 /// Marks of primitives that depend on others, by number in scene::StoredPrimitives.
@@ -41,25 +40,15 @@ std::uint32_t coincidentKinds(const scene::Scene& scene, const std::vector<bool>
 /// centre to the anchor.
 void placeSphere(const scene::Sphere& sphere, const glm::vec3& eye, std::span<gpu::uvec4, 2> rows);
 
-/// Estimates the number of records of a triangle's attributes: three for each attribute that the scene has.
-std::size_t attributeRowsOf(const SceneFeatures& features);
-
-/// Returns the flags that name a triangle's attributes.
-std::uint32_t attributeFlags(const scene::Scene& scene, const PrimitiveContext& context,
-                             const scene::Primitive& triangle);
-
-/// Appends the attributes that the flags of a triangle name.
-void appendAttributes(const scene::Scene& scene, const PrimitiveContext& context, const scene::Primitive& triangle,
-                      std::uint32_t flags, Rows& rows);
-
 /// The primitives in the order of their slots.
 struct SlotOrder {
   std::vector<std::uint32_t> own;                        ///< those that belong to no instance, and copies
   std::vector<std::vector<std::uint32_t>> ofPrototypes;  ///< InstanceSlots::orders
+  std::vector<bool> isInstance;                          ///< InstancePlan::isInstance
 };
 
-/// Appends the records of the primitives, followed by the attributes of their vertices, and sets the constants that
-/// refer to them. `table` is the light table.
+/// Appends the records of the primitives, followed by their geometries, and sets the constants that refer to them.
+/// `table` is the light table.
 void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::span<const LightEntry> table,
                       const PrimitiveMarks& marks, const render::ImageSettings& image, FlatScene& flat);
 

@@ -77,8 +77,11 @@ TEST_CASE("the record of a light refers to its primitive, and the primitive to t
   for (std::uint32_t light = 0; light < 2; ++light) {
     const gpu::uvec4& head = flat.rows[flat.constants.firstLightRow + light * gpu::kLightRows];
     const std::uint32_t row = flat.constants.firstPrimitiveRow + head.w * gpu::kPrimitiveRows;
-    CHECK(head.z == gpu::kLightTriangle);
-    CHECK(flat.rows[row].w == light + 1);
+    CHECK(flat.rows[flat.constants.firstLightRow + light * gpu::kLightRows + 1].w == gpu::kLightTriangle);
+    const std::size_t geometry = flat.constants.firstGeometryRow + flat.rows[row].w * gpu::kGeometryRows;
+    CHECK(flat.rows[geometry].x == 0);
+    CHECK(flat.rows[geometry + 1].x == 1);
+    CHECK(flat.rows[geometry + 1].y + flat.rows[row + 1].w == light + 1);
   }
 }
 

@@ -97,7 +97,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstPrimitiveRow),
                                                        MEMBER(RenderConstants, firstMaterialRow),
                                                        MEMBER(RenderConstants, firstLightRow),
-                                                       MEMBER(RenderConstants, firstAttributeRow),
+                                                       MEMBER(RenderConstants, firstGeometryRow),
                                                        MEMBER(RenderConstants, firstSkyRow),
                                                        MEMBER(RenderConstants, firstPlaneSlot),
                                                        MEMBER(RenderConstants, slotCount),
@@ -121,8 +121,8 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstEnvironmentRow),
                                                        MEMBER(RenderConstants, firstInstanceRow),
                                                        MEMBER(RenderConstants, topNode),
-                                                       MEMBER(RenderConstants, unused0),
-                                                       MEMBER(RenderConstants, unused1)});
+                                                       MEMBER(RenderConstants, firstAttributeRow),
+                                                       MEMBER(RenderConstants, unused0)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==
