@@ -4,17 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "host/base/errors.h"
 
 namespace candela::scene {
-namespace {
-
-constexpr std::uint32_t kMaxPrimitives = std::numeric_limits<std::int32_t>::max();
-
-}  // namespace
-
 PrimitiveList::PrimitiveList(std::span<const Primitive> primitives) {
   for (const Primitive& primitive : primitives) push_back(primitive);
 }
@@ -31,8 +24,8 @@ std::uint32_t PrimitiveList::countOf(const PrimitiveRun& run) const {
 
 void PrimitiveList::append(const Primitive& start, std::uint32_t count) {
   if (count == 0) return;
-  if (count > kMaxPrimitives - size_) {
-    throw FileError(fmt::format("the scene has more than {} primitives", kMaxPrimitives));
+  if (count > kMaxSize - size_) {
+    throw FileError(fmt::format("the scene has more than {} primitives", kMaxSize));
   }
   if (runs_.empty() || runs_.back().at(size_) != start) runs_.push_back({size_, start});
   size_ += count;

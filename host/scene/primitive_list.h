@@ -64,6 +64,8 @@ class PrimitiveList {
  public:
   class Iterator;
   using value_type = Primitive;
+  /// Devices and films use the two highest 32-bit numbers for other purposes than primitive indices.
+  static constexpr std::uint32_t kMaxSize = 0xfffffffeu;
 
   PrimitiveList() = default;
   PrimitiveList(std::initializer_list<Primitive> primitives) : PrimitiveList(std::span(primitives)) {}

@@ -57,7 +57,8 @@ CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 // tangents). `corners` + i is the index of the corners of the triangle with the primitive index i, below, or without
 // kGeometryIndexed, `corners` + 3 i is the vertex of the first of its corners, which the two others follow. `lights` + i
 // is the index of the triangle in the light table + 1. Both sums are modulo 2^32, because the triangles do not begin
-// with the primitive index 0. Geometry 0 is that of triangles without any of this, all 0. The others are the first records of arrays, counted from the beginning of the attributes.
+// with the primitive index 0. The others are the first records of arrays, counted from the beginning of the attributes.
+// Geometry 0, all of which is 0, is that of triangles without lights and attributes.
 CANDELA_CONST uint kGeometryRows = 2u;
 CANDELA_CONST uint kGeometryNormals = 1u;           // the vertices have normals, and so on
 CANDELA_CONST uint kGeometryTexCoords = 2u;

@@ -142,7 +142,7 @@ void addTangents(Geometry& geometry, const scene::TextureReference& texture) {
   }
 }
 
-constexpr std::size_t kMaxTriangles = (std::size_t{1} << 31) - 1;  // primitive indices count no more
+constexpr std::size_t kMaxTriangles = scene::PrimitiveList::kMaxSize;
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   return sizeof(scene::Mesh) + mesh.positions.size() * sizeof(glm::vec3) + mesh.normals.size() * sizeof(glm::vec3) +

@@ -143,11 +143,11 @@ TEST_CASE("instances that have attributes of an application only are at the node
 TEST_CASE("instances beyond the limit of triangles are refused before they are made") {
   constexpr std::size_t kInstances = 1u << 19;
   GltfFile file = triangleFile();
-  const std::size_t indices = file.accessor(std::vector<std::uint16_t>(3 << 12), kUnsignedShort, "SCALAR", 3 << 12);
-  file.primitive()["indices"] = indices;  // 4096 times the triangle of vertex 0 alone, as often as there are instances
+  const std::size_t indices = file.accessor(std::vector<std::uint16_t>(3 << 13), kUnsignedShort, "SCALAR", 3 << 13);
+  file.primitive()["indices"] = indices;  // 8192 times the triangle of vertex 0 alone, as often as there are instances
   const std::size_t places = file.positions(std::vector<float>(3 * kInstances));
   file.root["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] = places;
-  CHECK(errorsOf(file.text()).find("/nodes/0: the scene has more than 2147483647 triangles") != std::string::npos);
+  CHECK(errorsOf(file.text()).find("/nodes/0: the scene has more than 4294967294 triangles") != std::string::npos);
 }
 
 }  // namespace candela::gltf
