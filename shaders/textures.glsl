@@ -63,13 +63,14 @@ struct Lookup {
 Lookup lookupAt(uint reference, vec4 texCoords) {
   uint row = constants.firstTextureRow + (kHasDeepTexels ? reference & ~kDeepReference : reference);
   uvec4 first = sceneRow(row);
-  uvec4 second = sceneRow(row + 1u);
+  uvec4 second = kHasTextureTransforms ? sceneRow(row + 1u) : uvec4(0u, floatBitsToUint(1.0), 0u, 0u);
   vec2 uv = texCoords.xy;
   if ((first.w & kTextureSecondSet) != 0u) uv = texCoords.zw;
-  precise float s = uintBitsToFloat(first.x) * uv.x + uintBitsToFloat(first.y) * uv.y + uintBitsToFloat(first.z);
+  vec2 rowS = kHasTextureTransforms ? uintBitsToFloat(first.xy) : vec2(1.0, 0.0);
+  precise float s = rowS.x * uv.x + rowS.y * uv.y + uintBitsToFloat(second.w);
   precise float t = uintBitsToFloat(second.x) * uv.x + uintBitsToFloat(second.y) * uv.y + uintBitsToFloat(second.z);
   uvec2 wrap = (uvec2(first.w) >> uvec2(kTextureWrapShiftS, kTextureWrapShiftT)) & kTextureWrapMask;
-  return Lookup(vec2(s, t), uvec2(second.w & 0xffffu, second.w >> 16), wrap,
+  return Lookup(vec2(s, t), uvec2(first.z & 0xffffu, first.z >> 16), wrap,
                 constants.firstTextureRow + (first.w >> kTextureRowShift), (first.w & kTextureNearest) != 0u,
                 kHasDeepTexels && (reference & kDeepReference) != 0u);
 }

@@ -155,8 +155,8 @@ CANDELA_CONST uint kPointLightRows = 4u;
 // 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images,
 // four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16, b | a << 16), each
 // image beginning with a record. Words that refer to a reference of such an image have kDeepReference. References have
-// two records: (rowS, flags and first record of the image, counted from the beginning of the textures) (rowT, width |
-// height << 16).
+// two records: (x and y of rowS, width | height << 16, flags and first record of the image, counted from the beginning of
+// the textures) (rowT, z of rowS). Kernels read the second only if the scene has the feature textureTransforms.
 CANDELA_CONST uint kSrgbTableRows = 64u;
 CANDELA_CONST uint kDeepSrgbTableRows = 16384u;
 CANDELA_CONST uint kDeepReference = 1u << 31;

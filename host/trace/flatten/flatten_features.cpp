@@ -51,6 +51,11 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.sheens |= surface.sheenColour != glm::vec3(0);
 }
 
+void noteTexture(const std::optional<scene::TextureReference>& texture, SceneFeatures& features) {
+  const scene::TextureReference identity;
+  if (texture) features.textureTransforms |= texture->rowS != identity.rowS || texture->rowT != identity.rowT;
+}
+
 void noteMaterial(const scene::Material& material, render::Integrator integrator, SceneFeatures& features) {
   const Lobes lobes = lobesFor(integrator, material);
   features.diffuse |= lobes.diffuse > 0;
@@ -62,6 +67,8 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
                        (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
   features.transparency |= material.opacity.has_value();
+  for (const auto& texture : material.textures) noteTexture(texture, features);
+  if (material.opacity) noteTexture(material.opacity->texture, features);
   features.textures |= isTextured(material) || material.opacity.has_value();
 }
 

@@ -49,8 +49,10 @@ void appendReference(const scene::Scene& scene, const scene::TextureReference& r
                      const std::vector<std::uint32_t>& imageRows, Rows& rows) {
   const scene::TextureImage& image = scene.images[reference.image];
   const std::uint32_t firstRow = imageRows[reference.image] << gpu::kTextureRowShift;
-  rows.push_back(row(glm::dvec3(reference.rowS), flagsOf(reference) | firstRow));
-  rows.push_back(row(glm::dvec3(reference.rowT), image.width | image.height << 16));
+  const glm::vec3& s = reference.rowS;
+  rows.push_back({floatBits(double{s.x}), floatBits(double{s.y}), image.width | image.height << 16,
+                  flagsOf(reference) | firstRow});
+  rows.push_back(row(glm::dvec3(reference.rowT), double{s.z}));
 }
 
 void appendTexels(const scene::TextureImage& image, Rows& rows) {
