@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Writes a GLB with a mesh of about N triangles that has indices, normals, tangents and texture coordinates.
 
-    python3 tests/measure/bench/make_glb.py [--triangles N] [--textured] [--instances M] -o FILE.glb
+    python3 tests/measure/bench/make_glb.py [--triangles N] [--textured | --coloured] [--instances M] -o FILE.glb
 
 The mesh is a bumpy sphere under a grid of longitudes and latitudes. The same arguments give the same bytes. It is for
 measurements of loading and building; see docs/performance.md. --textured adds a normal map, so that the tangents are
-read when the picture is rendered. --instances shows M of them on a square in front of a camera, each of another height.
+read when the picture is rendered; --coloured adds a base colour texture, so that the texture coordinates are.
+--instances shows M of them on a square in front of a camera, each of another height.
 """
 import argparse
 import json
@@ -74,7 +75,7 @@ def places(count):
     return translations, scales
 
 
-def document(side, textured, instances):
+def document(side, texture, instances):
     """Returns the JSON and the binary chunk."""
     attributes, indices = mesh(side)
     kinds = (("POSITION", "VEC3", 3), ("NORMAL", "VEC3", 3), ("TANGENT", "VEC4", 4), ("TEXCOORD_0", "VEC2", 2))
@@ -106,10 +107,11 @@ def document(side, textured, instances):
         root["nodes"].append({"camera": 0, "translation": [0, 8, 10], "rotation": [math.sin(-0.15), 0, 0,
                                                                                   math.cos(-0.15)]})
         root["scenes"][0]["nodes"].append(1)
-    if textured:
+    if texture:
         root["images"] = [{"bufferView": len(parts), "mimeType": "image/png"}]
         root["textures"] = [{"source": 0}]
-        material["normalTexture"] = {"index": 0}
+        owner = material if texture == "normalTexture" else material["pbrMetallicRoughness"]
+        owner[texture] = {"index": 0}
         parts.append(flat_normal_map())
     offset = 0
     for i, part in enumerate(parts):
@@ -125,13 +127,15 @@ def document(side, textured, instances):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--triangles", type=int, default=1_000_000, metavar="N")
-    parser.add_argument("--textured", action="store_true")
+    kinds = parser.add_mutually_exclusive_group()
+    kinds.add_argument("--textured", dest="texture", action="store_const", const="normalTexture")
+    kinds.add_argument("--coloured", dest="texture", action="store_const", const="baseColorTexture")
     parser.add_argument("--instances", type=int, default=0, metavar="M")
     parser.add_argument("-o", "--output", required=True, metavar="FILE")
     options = parser.parse_args()
     if sys.byteorder != "little":
         sys.exit("this script writes the bytes of its arrays, which must be little-endian")
-    root, binary = document(max(1, math.isqrt(options.triangles // 2)), options.textured,
+    root, binary = document(max(1, math.isqrt(options.triangles // 2)), options.texture,
                             options.instances)
     text = json.dumps(root).encode()
     text += b" " * (-len(text) % 4)
