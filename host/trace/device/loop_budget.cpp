@@ -7,6 +7,7 @@
 
 #include "host/base/errors.h"
 #include "host/base/setting_words.h"
+#include "host/trace/flatten/flat_scene.h"
 #include "host/trace/vulkan/loop_limit.h"
 
 namespace candela::device {
