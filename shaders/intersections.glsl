@@ -36,6 +36,10 @@ float sortedSum(vec3 terms) {
   return sum;
 }
 
+// Weights are differences of products. If their sum is less than this fraction of the products, it is no more than their
+// rounding, and says nothing: of a small triangle far from the ray, two weights may be 0.
+const float kLeastArea = 1.0 / 1048576.0;
+
 // Woop, Benthin and Wald's watertight test, which needs no epsilon. An edge shared by two triangles gives both the same
 // number except for its sign, so no ray passes between them. The distance is the weighted mean of the vertices'
 // distances along the ray, so it always lies within the triangle's bounds. Returns the distance along the line of the ray,
@@ -49,14 +53,15 @@ float triangleDistance(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
   precise float v = a.x * c.y - a.y * c.x;
   precise float w = b.x * a.y - b.y * a.x;
   bool inside = smaller(u, smaller(v, w)) >= 0.0 || larger(u, larger(v, w)) <= 0.0;
+  float least = kLeastArea * (abs(c.x * b.y) + abs(a.x * c.y) + abs(b.x * a.y));
   if (kTrianglesCoincide) {
     precise vec3 weighted = vec3(u * a.z, v * b.z, w * c.z);
     float sum = sortedSum(vec3(u, v, w));
     precise float t = sortedSum(weighted) / sum;
-    return inside && sum != 0.0 ? t : kNoHit;
+    return inside && abs(sum) > least ? t : kNoHit;
   }
   precise float sum = u + v + w;
-  if (!inside || sum == 0.0) return kNoHit;
+  if (!inside || abs(sum) <= least) return kNoHit;
   precise float t = (u * a.z + v * b.z + w * c.z) / sum;
   return t;
 }
