@@ -3,10 +3,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <random>
 
 #include "host/trace/reference/tracing.h"
 #include "tests/trace/reference/default_settings.h"
+#include "tests/trace/reference/placed_meshes.h"
 #include "tests/trace/reference/scene_builder.h"
 
 using namespace candela;
@@ -16,27 +16,6 @@ using glm::vec3;
 using test::SceneBuilder;
 
 namespace {
-
-class Random {
- public:
-  explicit Random(std::uint32_t seed) : random_(seed) {}
-
-  double number(double low, double high) { return low + (high - low) * static_cast<double>(random_()) * 0x1p-32; }
-  dvec3 point(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
-  // Turns, shears, mirrors half of the time, and scales by a factor, the axes of which differ up to three times.
-  dmat4 map(double factor, const dvec3& centre) {
-    dmat4 shear(1);
-    shear[1][0] = number(-0.5, 0.5);
-    shear[2][1] = number(-0.5, 0.5);
-    const dvec3 axis(number(-1, 1), number(-1, 1), number(0.1, 1));
-    const dvec3 sizes = factor * dvec3(number(0.6, 1.8), number(0.6, 1.8), number(-1, 1) < 0 ? -1 : 1);
-    return glm::translate(dmat4(1), centre) * glm::rotate(dmat4(1), number(0, 6), axis) * shear *
-           glm::scale(dmat4(1), sizes);
-  }
-
- private:
-  std::mt19937 random_;
-};
 
 // Adds the triangles of a grid of cells on the square of all c + u x + v y with x and y in [-1, 1].
 void addSquare(scene::Mesh& mesh, const vec3& c, const vec3& u, const vec3& v, std::uint32_t cells) {
@@ -74,27 +53,11 @@ scene::Mesh body(bool isRound) {
   return mesh;
 }
 
-scene::Mesh mirrored(scene::Mesh mesh) {
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-  return mesh;
-}
-
-// Stores a mesh, and after it the one for maps that mirror. Returns the index of the first.
-std::uint32_t storeBoth(scene::Scene& scene, const scene::Mesh& mesh) {
-  scene.meshes.push_back(mesh);
-  scene.meshes.push_back(mirrored(mesh));
-  return static_cast<std::uint32_t>(scene.meshes.size() - 2);
-}
-
-void addInstance(scene::Scene& scene, const dmat4& map, std::uint32_t mesh, std::uint32_t material) {
-  scene::addInstance(scene, mesh + (scene::mirrors(map) ? 1 : 0), *scene::placementOf(map), material);
-}
-
 // Bodies that overlap, some of them twice at the same place, above a plane and below a lamp; one is 1000 times as large
 // as most and contains them, and some are as much smaller. Materials: diffuse, mixed, mirror, glass and one that is
 // half transparent.
 scene::Scene bodies(std::uint32_t seed) {
-  Random random(seed);
+  test::RandomMaps random(seed);
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(0.6f))).plane({0, 0, -2}, {1, 0, -2}, {0, 1, -2});
   b.material(test::diffuseMaterial(vec3(0), vec3(6))).quad({-1, 1, 4}, {-1, -1, 4}, {1, -1, 4}, {1, 1, 4});
@@ -103,17 +66,17 @@ scene::Scene bodies(std::uint32_t seed) {
   b.material(test::mirrorMaterial(vec3(0.8f))).material(test::glassMaterial(vec3(0.9f), 1.5f));
   b.material(test::diffuseMaterial(vec3(0.5f)));
   b.scene.materials.back().opacity = scene::Opacity{.factor = 0.5f};
-  const std::uint32_t cube = storeBoth(b.scene, body(false));
-  const std::uint32_t ball = storeBoth(b.scene, body(true));
+  const std::uint32_t cube = test::storeBoth(b.scene, body(false));
+  const std::uint32_t ball = test::storeBoth(b.scene, body(true));
   for (std::uint32_t i = 0; i < 30; ++i) {
     const bool isSmall = i % 6 == 5;
     const dvec3 centre = isSmall ? dvec3(0, -6.98, 1) : random.point(3);
-    const dmat4 map = random.map(isSmall ? 1e-3 : random.number(0.3, 1.2), centre);
-    addInstance(b.scene, map, i % 2 == 0 ? cube : ball, firstLook + i % 5);
-    if (i % 7 == 0) addInstance(b.scene, map, i % 2 == 0 ? cube : ball, firstLook + (i + i / 7) % 5);
+    const dmat4 map = random.next(isSmall ? 1e-3 : random.number(0.3, 1.2), centre);
+    test::addInstance(b.scene, map, i % 2 == 0 ? cube : ball, firstLook + i % 5);
+    if (i % 7 == 0) test::addInstance(b.scene, map, i % 2 == 0 ? cube : ball, firstLook + (i + i / 7) % 5);
     if (i == 14) b.sphere({0, 0, 0}, 0.8f).triangle({-3, 0, 0}, {3, 0, 0}, {0, 0, 3});
   }
-  if (seed % 2 == 0) addInstance(b.scene, random.map(1000, dvec3(0)), ball, firstLook);
+  if (seed % 2 == 0) test::addInstance(b.scene, random.next(1000, dvec3(0)), ball, firstLook);
   b.pointLight({-4, -4, 4}, vec3(0.3f));
   b.scene.background = vec3(0.3f);
   b.view({0, -7, 1}, {0, 0, 0}, {0, 0, 1}, 50);
@@ -128,19 +91,19 @@ scene::Scene stackedSquares(float height) {
   b.material(test::diffuseMaterial(vec3(0), vec3(3)));
   b.quad({-0.5f, -0.5f, height}, {0.5f, -0.5f, height}, {0.5f, 0.5f, height}, {-0.5f, 0.5f, height});
   b.material(test::diffuseMaterial({0.2f, 0.5f, 0.8f})).material(test::glassMaterial(vec3(0.9f), 1.5f));
-  const std::uint32_t flat = storeBoth(b.scene, square(6));
-  const std::uint32_t ball = storeBoth(b.scene, body(true));
+  const std::uint32_t flat = test::storeBoth(b.scene, square(6));
+  const std::uint32_t ball = test::storeBoth(b.scene, body(true));
   const auto at = [&](double x, double y, double angle, double size) {
     const dmat4 moved = glm::translate(dmat4(1), dvec3(x, y, height));
     return glm::scale(glm::rotate(moved, angle, dvec3(0, 0, 1)), dvec3(size));
   };
   for (int i = 0; i < 8; ++i) {
     const dmat4 map = at(0.7 * i - 2, 0.3 * i, 0.5 * i, 1.5);
-    addInstance(b.scene, map, flat, i % 3 == 2 ? 3 : 2);
-    if (i % 2 == 0) addInstance(b.scene, map, flat, i % 3 == 0 ? 3 : 2);
+    test::addInstance(b.scene, map, flat, i % 3 == 2 ? 3 : 2);
+    if (i % 2 == 0) test::addInstance(b.scene, map, flat, i % 3 == 0 ? 3 : 2);
   }
-  addInstance(b.scene, at(-1, -1, 1, 0.5), ball, 3);
-  addInstance(b.scene, at(1, -1, 1, 0.5), ball, 3);
+  test::addInstance(b.scene, at(-1, -1, 1, 0.5), ball, 3);
+  test::addInstance(b.scene, at(1, -1, 1, 0.5), ball, 3);
   b.pointLight({-2, -4, height + 4}, vec3(0.5f));
   b.scene.background = vec3(0.2f);
   b.view({0, -6, height + 3}, {0, 0, height}, {0, 0, 1}, 50);
@@ -149,11 +112,12 @@ scene::Scene stackedSquares(float height) {
 
 // Flat squares far from the origin: placed vertices are rounded by much more than the thickness of boxes in the mesh.
 scene::Scene distantSquares() {
-  Random random(5);
+  test::RandomMaps random(5);
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(0.5f)));
-  const std::uint32_t flat = storeBoth(b.scene, square(6));
-  for (int i = 0; i < 12; ++i) addInstance(b.scene, random.map(1, dvec3(1e4, -2e4, 3e4) + random.point(2)), flat, 0);
+  const std::uint32_t flat = test::storeBoth(b.scene, square(6));
+  for (int i = 0; i < 12; ++i)
+    test::addInstance(b.scene, random.next(1, dvec3(1e4, -2e4, 3e4) + random.point(2)), flat, 0);
   return b.scene;
 }
 
@@ -207,7 +171,7 @@ void requireHitsOfBruteForce(const scene::Scene& scene, const dvec3& middle, dou
     REQUIRE(structures.back().hasHierarchy());
     REQUIRE(structures.back().instances().instances().size() >= 12);
   }
-  Random random(1);
+  test::RandomMaps random(1);
   Counters work;
   int hits = 0, occlusions = 0;
   for (std::uint32_t i = 0; i < 3000; ++i) {
@@ -272,12 +236,12 @@ TEST_CASE("the reference has the film of copies for one-sided instances and midp
 TEST_CASE("emitters and meshes of few triangles are copied, and so is everything in grids and lists") {
   SceneBuilder b;
   b.material(test::diffuseMaterial(vec3(0.5f))).material(test::diffuseMaterial(vec3(0), vec3(1)));
-  const std::uint32_t large = storeBoth(b.scene, square(6));  // 72 triangles
-  const std::uint32_t small = storeBoth(b.scene, square(5));
-  addInstance(b.scene, dmat4(1), large, 1);
-  addInstance(b.scene, dmat4(2), small, 0);
+  const std::uint32_t large = test::storeBoth(b.scene, square(6));  // 72 triangles
+  const std::uint32_t small = test::storeBoth(b.scene, square(5));
+  test::addInstance(b.scene, dmat4(1), large, 1);
+  test::addInstance(b.scene, dmat4(2), small, 0);
   CHECK(instanceCount(b.scene) == 0);
-  addInstance(b.scene, glm::translate(dmat4(1), dvec3(0, 0, 1)), large, 0);
+  test::addInstance(b.scene, glm::translate(dmat4(1), dvec3(0, 0, 1)), large, 0);
   CHECK(instanceCount(b.scene) == 1);
   render::RenderSettings settings = render::defaultSettings();
   for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::grid}) {

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <random>
 
 #include "tests/trace/light/normal_mapped_meshes.h"
+#include "tests/trace/reference/placed_meshes.h"
 #include "tests/trace/reference/scene_builder.h"
 #include "tests/trace/render/render_support.h"
 
@@ -16,45 +16,6 @@ using glm::vec3;
 using test::SceneBuilder;
 
 namespace {
-
-// Random maps from single precision to double, equal on all machines.
-class Maps {
- public:
-  explicit Maps(std::uint32_t seed) : random_(seed) {}
-
-  double number(double low, double high) { return low + (high - low) * static_cast<double>(random_()) * 0x1p-32; }
-
-  // Turns, shears, mirrors half of the time, and scales by a factor, the axes of which differ up to three times.
-  dmat4 next(double factor, const dvec3& centre) {
-    dmat4 shear(1);
-    shear[1][0] = number(-0.5, 0.5);
-    shear[2][1] = number(-0.5, 0.5);
-    const dvec3 axis(number(-1, 1), number(-1, 1), number(0.1, 1));
-    const dvec3 sizes = factor * dvec3(number(0.6, 1.8), number(0.6, 1.8), number(-1, 1) < 0 ? -1 : 1);
-    return glm::translate(dmat4(1), centre) * glm::rotate(dmat4(1), number(0, 6), axis) * shear *
-           glm::scale(dmat4(1), sizes);
-  }
-
- private:
-  std::mt19937 random_;
-};
-
-scene::Mesh mirrored(scene::Mesh mesh) {
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
-  for (glm::vec4& tangent : mesh.tangents) tangent.w = -tangent.w;
-  return mesh;
-}
-
-void addInstance(scene::Scene& scene, const dmat4& map, std::uint32_t mesh, std::uint32_t material) {
-  scene::addInstance(scene, mesh + (scene::mirrors(map) ? 1 : 0), *scene::placementOf(map), material);
-}
-
-// A mesh, and after it the one for maps that mirror.
-std::uint32_t storeBoth(scene::Scene& scene, const scene::Mesh& mesh) {
-  storeMesh(scene, mirrored(mesh));
-  std::swap(scene.meshes.back(), scene.meshes.emplace_back(mesh));
-  return static_cast<std::uint32_t>(scene.meshes.size() - 2);
-}
 
 // The looks of instances: one material for each two of them.
 using Looks = std::vector<scene::Material>;
@@ -79,7 +40,7 @@ constexpr double kNearest = 3;  // of the centres of instances to the middle
 // the smallest is 1/1000 and the largest, of an instance that contains all others, 1000.
 scene::Scene ballsOf(const Looks& looks, std::uint32_t seed) {
   SceneBuilder b;
-  Maps maps(seed);
+  test::RandomMaps maps(seed);
   b.scene.images = {test::bumps(8)};
   b.material(test::diffuseMaterial(vec3(0.6f))).plane({0, 0, -2}, {1, 0, -2}, {0, 1, -2});
   b.material(test::diffuseMaterial(vec3(0), vec3(6))).quad({-1, 1, 4}, {-1, -1, 4}, {1, -1, 4}, {1, 1, 4});
@@ -87,18 +48,18 @@ scene::Scene ballsOf(const Looks& looks, std::uint32_t seed) {
   for (const scene::Material& look : looks) b.material(look);
   scene::Mesh mesh = test::ball({0.3f, 0.2f, -0.1f}, 1, 3);
   if (seed % 2 == 1) mesh.colours.assign(mesh.positions.size(), {1, 0.8f, 0.6f, 0.9f});
-  const std::uint32_t stored = storeBoth(b.scene, mesh);
+  const std::uint32_t stored = test::storeBoth(b.scene, mesh);
   for (std::uint32_t i = 0; i < 16; ++i) {
     const dvec3 centre(maps.number(-kNearest, kNearest), maps.number(-kNearest, kNearest), maps.number(-2, 2));
     const std::uint32_t look = firstLook + i / 2 % static_cast<std::uint32_t>(looks.size());
     const bool isSmall = i >= 12;
-    addInstance(b.scene, maps.next(isSmall ? 1e-3 : maps.number(0.3, 1.2), isSmall ? dvec3(0, -6.98, 1) : centre),
-                stored, look);
+    test::addInstance(b.scene, maps.next(isSmall ? 1e-3 : maps.number(0.3, 1.2), isSmall ? dvec3(0, -6.98, 1) : centre),
+                      stored, look);
   }
   if (seed % 3 == 0) {
     b.material(test::diffuseMaterial(vec3(0.5f)));
     const auto dome = static_cast<std::uint32_t>(b.scene.materials.size() - 1);
-    for (int i = 0; i < 2; ++i) addInstance(b.scene, maps.next(1000, dvec3(0)), stored, dome);
+    for (int i = 0; i < 2; ++i) test::addInstance(b.scene, maps.next(1000, dvec3(0)), stored, dome);
   }
   b.pointLight({-4, -4, 4}, vec3(0.3f));
   b.scene.background = vec3(0.3f);
@@ -156,10 +117,10 @@ scene::Scene stackedSquares(float height) {
   b.quad({-0.5f, -0.5f, height}, {0.5f, -0.5f, height}, {0.5f, 0.5f, height}, {-0.5f, 0.5f, height});
   b.material(test::diffuseMaterial({0.2f, 0.5f, 0.8f}));
   b.material(test::glassMaterial(vec3(0.9f), 1.5f));
-  const std::uint32_t stored = storeBoth(b.scene, tiledSquare());
-  for (int i = 0; i < 6; ++i) addInstance(b.scene, at(0.7 * i - 2, 0.3 * i, 0.5 * i, 1.5), stored, 2);
-  for (int i = 0; i < 2; ++i) addInstance(b.scene, at(-1, 1, 0.25, 1), stored, 2);  // equal
-  for (int i = 0; i < 2; ++i) addInstance(b.scene, at(1, -1, 0.75, 2), stored, 3);  // equal, of glass
+  const std::uint32_t stored = test::storeBoth(b.scene, tiledSquare());
+  for (int i = 0; i < 6; ++i) test::addInstance(b.scene, at(0.7 * i - 2, 0.3 * i, 0.5 * i, 1.5), stored, 2);
+  for (int i = 0; i < 2; ++i) test::addInstance(b.scene, at(-1, 1, 0.25, 1), stored, 2);  // equal
+  for (int i = 0; i < 2; ++i) test::addInstance(b.scene, at(1, -1, 0.75, 2), stored, 3);  // equal, of glass
   b.scene.background = vec3(0.4f);
   b.view({0, -5, height + 4}, {0, 0, height}, {0, 0, 1}, 50);
   return b.scene;
