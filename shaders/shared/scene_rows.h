@@ -28,8 +28,8 @@ CANDELA_CONST uint kItemsPerRow = 4u;
 
 // Primitives ("slots", in the order of the BVH's leaves or of the grid's cells, with infinite planes last), three
 // records each. Triangles of instances come after the planes, once for all instances of a mesh and a material. Common
-// to all kinds: w of record 1 is the primitive index in the scene, or for an instance that in the mesh; w of record 2 is
-// kind, flags and material (below).
+// to all kinds: w of record 1 is the primitive index in the scene, or for an instance that in the mesh; w of record 2
+// is kind, flags and material (below).
 //   sphere    (anchor, radius) (k, .) (light + 1, 0, 0, .)   see intersections.glsl
 //   triangle  (p0, geometry) (p1, .) (p2, .)
 //   box       (min, 0) (max, .) (0, 0, 0, .)
@@ -55,14 +55,14 @@ CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 // Geometries, two records each: what is common to triangles of a mesh with one placement, which are lights or whose
 // vertices have attributes: (flags, corners, normals, texture coordinates) (1 if they are lights, lights, colours,
 // tangents). `corners` + i is the index of the corners of the triangle with the primitive index i, below, or without
-// kGeometryIndexed, `corners` + 3 i is the vertex of the first of its corners, which the two others follow. `lights` + i
-// is the index of the triangle in the light table + 1. Both sums are modulo 2^32, because the triangles do not begin
+// kGeometryIndexed, `corners` + 3 i is the vertex of the first of its corners, which the two others follow. `lights` +
+// i is the index of the triangle in the light table + 1. Both sums are modulo 2^32, because the triangles do not begin
 // with the primitive index 0. The others are the first records of arrays, counted from the beginning of the attributes.
 // Geometry 0, all of which is 0, is that of triangles without lights and attributes.
 CANDELA_CONST uint kGeometryRows = 2u;
-CANDELA_CONST uint kGeometryNormals = 1u;           // the vertices have normals, and so on
+CANDELA_CONST uint kGeometryNormals = 1u;  // the vertices have normals, and so on
 CANDELA_CONST uint kGeometryTexCoords = 2u;
-CANDELA_CONST uint kGeometrySecondTexCoords = 4u;   // set 1, besides set 0
+CANDELA_CONST uint kGeometrySecondTexCoords = 4u;  // set 1, besides set 0
 CANDELA_CONST uint kGeometryColours = 8u;
 CANDELA_CONST uint kGeometryTangents = 16u;
 CANDELA_CONST uint kGeometryEmissionColours = 32u;  // the colours scale the emission
@@ -70,8 +70,8 @@ CANDELA_CONST uint kGeometryIndexed = 64u;
 
 // Attributes, arrays with an element for each vertex of a mesh, which all of its geometries share: normals, a record
 // (n, 0); texture coordinates of set 0, half a record, or of both sets, a record, with set 0 in x and y and set 1 in z
-// and w; colours, a record of linear RGBA; tangents, a record (unit vector, handedness). Texture coordinates that a mesh
-// lacks but its material needs are 0. Normals and tangents of instances are those of the mesh.
+// and w; colours, a record of linear RGBA; tangents, a record (unit vector, handedness). Texture coordinates that a
+// mesh lacks but its material needs are 0. Normals and tangents of instances are those of the mesh.
 //
 // Corners, the vertices of a triangle: three numbers of kCornerBits bits in two words, two triangles in a record. In
 // scenes with a mesh of more than kMaxPackedVertices, all meshes have three words instead.
@@ -155,8 +155,8 @@ CANDELA_CONST uint kPointLightRows = 4u;
 // 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images,
 // four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16, b | a << 16), each
 // image beginning with a record. Words that refer to a reference of such an image have kDeepReference. References have
-// two records: (x and y of rowS, width | height << 16, flags and first record of the image, counted from the beginning of
-// the textures) (rowT, z of rowS). Kernels read the second only if the scene has the feature textureTransforms.
+// two records: (x and y of rowS, width | height << 16, flags and first record of the image, counted from the beginning
+// of the textures) (rowT, z of rowS). Kernels read the second only if the scene has the feature textureTransforms.
 CANDELA_CONST uint kSrgbTableRows = 64u;
 CANDELA_CONST uint kDeepSrgbTableRows = 16384u;
 CANDELA_CONST uint kDeepReference = 1u << 31;

@@ -88,10 +88,7 @@ std::uint32_t Geometries::arrayOf(const scene::Primitive& start, Kind kind) {
   return entry->second;
 }
 
-// Returns the index of the corners of a mesh's first triangle.
-std::uint32_t Geometries::cornersOf(const scene::Primitive& start) {
-  if (!isIndexed(meshOf(*scene_, start))) return 0;
-  const std::uint32_t firstRow = arrayOf(start, Kind::corners);
+std::uint32_t Geometries::firstCorners(std::uint32_t firstRow) const {
   return hasLongCorners_ ? (4 * firstRow + 2) / 3 : 2 * firstRow;
 }
 
@@ -109,7 +106,7 @@ std::uint32_t Geometries::numberOf(const scene::Primitive& start, std::uint32_t 
   const bool hasBoth = (flags & gpu::kGeometrySecondTexCoords) != 0;
   const std::uint32_t firstTriangle = start.index - firstIndex;  // of the primitive index 0
   return numberOf({flags | (indexed ? gpu::kGeometryIndexed : 0),
-                   indexed ? cornersOf(start) + firstTriangle : 3 * firstTriangle,
+                   indexed ? firstCorners(arrayOf(start, Kind::corners)) + firstTriangle : 3 * firstTriangle,
                    arrayIf(gpu::kGeometryNormals, Kind::normals),
                    arrayIf(gpu::kGeometryTexCoords, hasBoth ? Kind::bothTexCoords : Kind::texCoords), 0, 0,
                    arrayIf(gpu::kGeometryColours, Kind::colours), arrayIf(gpu::kGeometryTangents, Kind::tangents)});
@@ -128,21 +125,26 @@ std::uint32_t Geometries::ofLight(std::uint32_t geometry, std::uint32_t primitiv
   return numberOf(record);
 }
 
+void Geometries::fillCorners(const scene::Mesh& mesh, gpu::uvec4* rows, std::uint32_t firstRow) const {
+  const std::size_t wordCount = hasLongCorners_ ? 3 : 2;  // of a triangle
+  std::size_t word = wordCount * firstCorners(firstRow) - 4 * std::size_t{firstRow};
+  const auto append = [&](std::uint32_t value) {
+    rows[word / 4][static_cast<glm::length_t>(word % 4)] = value;
+    ++word;
+  };
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    if (hasLongCorners_) {
+      for (std::size_t corner = 0; corner < 3; ++corner) append(mesh.indices[i + corner]);
+    } else {
+      for (const std::uint32_t packed : packedCorners(&mesh.indices[i])) append(packed);
+    }
+  }
+}
+
 void Geometries::fill(const ArrayKey& key, gpu::uvec4* rows, std::uint32_t firstRow) const {
   const auto [meshIndex, kind, placementIndex] = key;
   const scene::Mesh& mesh = scene_->meshes[meshIndex];
-  if (kind == Kind::corners) {
-    const std::size_t firstWord = hasLongCorners_ ? 3 * std::size_t{(4 * firstRow + 2) / 3} - 4 * std::size_t{firstRow}
-                                                  : 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-      const std::array<std::uint32_t, 2> packed = packedCorners(&mesh.indices[i]);
-      for (std::size_t j = 0; j < (hasLongCorners_ ? 3 : 2); ++j) {
-        const std::size_t word = hasLongCorners_ ? firstWord + i + j : 2 * (i / 3) + j;
-        rows[word / 4][static_cast<glm::length_t>(word % 4)] = hasLongCorners_ ? mesh.indices[i + j] : packed[j];
-      }
-    }
-    return;
-  }
+  if (kind == Kind::corners) return fillCorners(mesh, rows, firstRow);
   const scene::Placement* const placement = placementIndex != scene::Primitive::kUnplaced
                                                 ? &scene_->placements[placementIndex]
                                                 : nullptr;

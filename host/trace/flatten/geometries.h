@@ -41,13 +41,12 @@ class Geometries {
   std::uint32_t ofLight(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t light);
 
   /// Returns the number of records that append() appends.
-  std::size_t countRows() const { return kRowsOfRecord * records_.size() + arrayRows_; }
+  std::size_t countRows() const { return gpu::kGeometryRows * records_.size() + arrayRows_; }
   /// Appends the records of all geometries, followed by their attributes, and sets the constants that refer to them.
   void append(FlatScene& flat) const;
 
  private:
-  static constexpr std::size_t kRowsOfRecord = gpu::kGeometryRows;
-  using Record = std::array<std::uint32_t, 4 * kRowsOfRecord>;
+  using Record = std::array<std::uint32_t, 4 * gpu::kGeometryRows>;
   enum class Kind : std::uint8_t { corners, normals, texCoords, bothTexCoords, colours, tangents };
   using ArrayKey = std::tuple<std::uint32_t, Kind, std::uint32_t>;  ///< mesh, kind, placement
 
@@ -55,7 +54,9 @@ class Geometries {
   std::uint32_t numberOf(const Record& record);
   std::uint32_t arrayOf(const scene::Primitive& start, Kind kind);
   std::size_t rowsOf(const scene::Mesh& mesh, Kind kind) const;
-  std::uint32_t cornersOf(const scene::Primitive& start);
+  /// Returns the index of the corners of the first triangle in an array of corners.
+  std::uint32_t firstCorners(std::uint32_t firstRow) const;
+  void fillCorners(const scene::Mesh& mesh, gpu::uvec4* rows, std::uint32_t firstRow) const;
   std::uint32_t attributeFlags(const scene::Primitive& triangle) const;
   void fill(const ArrayKey& key, gpu::uvec4* rows, std::uint32_t firstRow) const;
 
