@@ -85,6 +85,7 @@ Ray withStart(Ray ray) {
   if (!kHasCoincident || (ray.originSlot & kOriginCoincident) == 0u) return ray;
   ray.start.rows = rowsOfStart(ray);
   ray.start.surface = flatSurfaceOf(ray.start.rows, ray.origin);
+  if (kTrianglesCoincide) ray.start.shear = shearAlong(ray.start.surface.normal);
   return ray;
 }
 
@@ -152,11 +153,10 @@ float distanceBehind(Ray ray, uvec4 rows[3], float t) {
   return min(t + margin / flatCosine(ray, rows, t), 0.5 * kNoHit);
 }
 
-// Returns the distance to a triangle or a plane to which the rules apply. `t` is the distance along the line of the
-// ray, or kNoHit.
-float hitFlatByRules(Ray ray, uvec4 rows[3], float t, FlatSurface surface) {
-  if (t >= kNoHit || !coincidesWithStart(ray, surface)) return positiveOrNone(t);
-  return passes(ray, rows, dot(surface.normal, ray.direction) < 0.0 == isInward(ray)) ? kNoHit : kAtOnce;
+// Returns the distance to a flat primitive in the plane of the ray's origin, which the line through the origin along the
+// normal of this plane meets. (That of the ray may meet the primitive anywhere if it lies almost in the plane.)
+float hitInPlane(Ray ray, uvec4 rows[3], vec3 normal) {
+  return passes(ray, rows, dot(normal, ray.direction) < 0.0 == isInward(ray)) ? kNoHit : kAtOnce;
 }
 
 // Returns whether a ray through a box can start on the face through which it exits, rather than on that through which it
@@ -186,7 +186,9 @@ float hitBoxByRules(Ray ray, uvec4 rows[3], bool startsHere, bool ruled) {
   bool onExit = mayStartOnExit(ray, low, high, entryAxis, exitAxis, entry, exit);
   int axis = onExit ? exitAxis : entryAxis;
   if (ruled && coincidesWithStart(ray, flatFace(low, high, axis, ray.direction[axis] > 0.0 == onExit))) {
-    if (!passes(ray, rows, onExit != isInward(ray))) return kAtOnce;
+    bvec3 beside = greaterThan(abs(ray.origin - 0.5 * (low + high)), 0.5 * (high - low));
+    beside[axis] = false;
+    if (!any(beside) && !passes(ray, rows, onExit != isInward(ray))) return kAtOnce;
     return onExit ? kNoHit : positiveOrNone(exit);
   }
   return entry > 0.0 ? entry : positiveOrNone(exit);

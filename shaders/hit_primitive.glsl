@@ -39,9 +39,9 @@ float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   bool mayBePlane = known != kFinitePrimitive && known != kSphere;
   if (kHasPlanes && mayBePlane && (known == kInfinitePlane || isKind(kind, kKindPlane))) {
     if (startsHere) return kNoHit;
-    float t = planeDistance(ray, row0.xyz, row1.xyz);
-    if (!kPlanesCoincide || !ruled) return positiveOrNone(t);
-    return hitFlatByRules(ray, rows, t, flatPlane(row0.xyz, row1.xyz));
+    bool inPlane = kPlanesCoincide && ruled && coincidesWithStart(ray, flatPlane(row0.xyz, row1.xyz));
+    if (inPlane) return hitInPlane(ray, rows, row1.xyz);
+    return positiveOrNone(planeDistance(ray, row0.xyz, row1.xyz));
   }
   if (known == kInfinitePlane) return kNoHit;
   if (kHasSpheres && (known == kSphere || isKind(kind, kKindSphere))) {
@@ -53,9 +53,16 @@ float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   if (known == kSphere) return kNoHit;
   if (kHasTriangles && isKind(kind, kKindTriangle)) {
     if (startsHere) return kNoHit;
-    float t = triangleDistance(ray, row0.xyz, row1.xyz, row2.xyz);
-    if (!kTrianglesCoincide || !ruled) return positiveOrNone(t);
-    return hitFlatByRules(ray, rows, t, flatTriangle(row0.xyz, row1.xyz, row2.xyz));
+    FlatSurface surface = flatTriangle(row0.xyz, row1.xyz, row2.xyz);
+    bool inPlane = kTrianglesCoincide && ruled && coincidesWithStart(ray, surface);
+    Shear shear = ray.shear;
+    if (kTrianglesCoincide) {
+      shear.along = mix(shear.along, ray.start.shear.along, bvec2(inPlane));
+      shear.coefficients = mix(shear.coefficients, ray.start.shear.coefficients, bvec3(inPlane));
+    }
+    bool coincides = kTrianglesCoincide && (rows[2].w & kFlagCoincident) != 0u;
+    float t = triangleDistance(ray.origin, shear, inPlane, coincides, row0.xyz, row1.xyz, row2.xyz);
+    return inPlane && t < kNoHit ? hitInPlane(ray, rows, surface.normal) : t;
   }
   if (kHasBoxes && isKind(kind, kKindBox)) {
     if (kBoxesCoincide && known != kApartPrimitive) return hitBoxByRules(ray, rows, startsHere, ruled);

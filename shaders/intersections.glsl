@@ -36,34 +36,38 @@ float sortedSum(vec3 terms) {
   return sum;
 }
 
-// Weights are differences of products. If their sum is less than this fraction of the products, it is no more than their
-// rounding, and says nothing: of a small triangle far from the ray, two weights may be 0.
-const float kLeastArea = 1.0 / 1048576.0;
+// The error of the weights of a triangle's vertices, as a fraction of the sum of the products whose differences they are:
+// one product of each, since both are equal but for the weight. It is 2^-23, and the rest is for the rounding of the sum.
+const float kWeightError = 1.25 / 8388608.0;
+
+float sumOf(vec3 terms) {
+  precise float sum = terms.x + terms.y + terms.z;
+  return kTrianglesCoincide ? sortedSum(terms) : sum;
+}
 
 // Woop, Benthin and Wald's watertight test, which needs no epsilon. An edge shared by two triangles gives both the same
 // number except for its sign, so no ray passes between them. The distance is the weighted mean of the vertices'
-// distances along the ray, so it always lies within the triangle's bounds. Returns the distance along the line of the ray,
-// which may be negative, or kNoHit if it misses. Equal triangles in any order of vertices have equal distances if the
-// scene has coincident surfaces.
-float triangleDistance(Ray ray, vec3 p0, vec3 p1, vec3 p2) {
-  precise vec3 a = sheared(p0, ray);
-  precise vec3 b = sheared(p1, ray);
-  precise vec3 c = sheared(p2, ray);
-  precise float u = c.x * b.y - c.y * b.x;
-  precise float v = a.x * c.y - a.y * c.x;
-  precise float w = b.x * a.y - b.y * a.x;
-  bool inside = smaller(u, smaller(v, w)) >= 0.0 || larger(u, larger(v, w)) <= 0.0;
-  float least = kLeastArea * (abs(c.x * b.y) + abs(a.x * c.y) + abs(b.x * a.y));
-  if (kTrianglesCoincide) {
-    precise vec3 weighted = vec3(u * a.z, v * b.z, w * c.z);
-    float sum = sortedSum(vec3(u, v, w));
-    precise float t = sortedSum(weighted) / sum;
-    return inside && abs(sum) > least ? t : kNoHit;
-  }
-  precise float sum = u + v + w;
-  if (!inside || abs(sum) <= least) return kNoHit;
-  precise float t = (u * a.z + v * b.z + w * c.z) / sum;
-  return t;
+// distances along the ray, rounded up by the bound of its error: structures search only as far as the closest hit, and
+// would not find a hit that rounding puts before the boxes of its triangle. Of surfaces in one plane, none may always be
+// behind the other, so that triangles that coincide with others are not rounded up. Returns the distance of a hit after
+// the origin, or kNoHit; with `ofLine`, any number below kNoHit for a hit before it, too. Equal triangles in any order of
+// vertices have equal distances if the scene has coincident surfaces.
+float triangleDistance(vec3 origin, Shear shear, bool ofLine, bool coincides, vec3 p0, vec3 p1, vec3 p2) {
+  precise vec3 a = sheared(p0, origin, shear);
+  precise vec3 b = sheared(p1, origin, shear);
+  precise vec3 c = sheared(p2, origin, shear);
+  precise vec3 weights = vec3(c.x * b.y - c.y * b.x, a.x * c.y - a.y * c.x, b.x * a.y - b.y * a.x);
+  vec3 products = abs(vec3(c.x * b.y, a.x * c.y, b.x * a.y));
+  float error = kWeightError * (products.x + products.y + products.z);
+  precise vec3 shares = abs(weights);
+  float size = sumOf(shares);
+  precise vec3 weighted = vec3(shares.x * a.z, shares.y * b.z, shares.z * c.z);
+  float moment = sumOf(weighted);
+  // If their signs differ, the sum of the weights is less than that of their magnitudes, unless it rounds to the same.
+  bool isHit = abs(sumOf(weights)) >= size && size > error && (moment > 0.0 || ofLine);
+  float depth = coincides ? 0.0 : abs(a.z - b.z) + abs(b.z - c.z);
+  precise float t = (moment + error * depth) / size;
+  return isHit ? t : kNoHit;
 }
 
 // Returns the distance along the line of the ray, which may be negative, or kNoHit if it is parallel to the plane.

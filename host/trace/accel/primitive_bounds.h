@@ -8,7 +8,7 @@
 //
 // - the box test (box - o) * (1 / d) by at most 8 u |p - o|, including a division of 2.5 ulp, the precision that Vulkan
 //   requires;
-// - a primitive test without cancellation (see below) by less than 20 u |p - o|.
+// - a primitive test without cancellation (see below) by less than 20 u |p - o|, or towards greater distances.
 //
 // Hence there are two pads of 2^-19 = 32 u, one for each term of |p| + |o|:
 //
@@ -27,9 +27,12 @@
 // (Haines et al., Ray Tracing Gems, ch. 7; b*b - c has an error of u |p - o|^2 / radius instead, which is unbounded for
 // small, distant spheres); the cone after the origin is moved to the point of the ray that is closest to the axis (the
 // point closest to one point of the axis is not sufficient: long thin cones then lose hits); the box by slabs; the
-// triangle sheared to the ray (Woop et al., JCGT 2013). Signed volumes of the ray with the edges of a triangle are not
-// completely free of it. In both triangle tests, the distance of a needle has an error of u length^2 / width and more:
-// about one in a million hits on needles is outside the box and depends on the structure.
+// triangle sheared to the ray (Woop et al., JCGT 2013). The weights of a triangle's vertices are not free of it: the
+// distance has an error of u length^2 / width and more. Since a distance is rounded up by a bound of this error, it is
+// not smaller than that of a triangle whose vertices are at most 20 u |p - o| away, as above. A distance that is too
+// large does no harm: the node of a triangle is entered before it, and no node is skipped that is entered earlier. (The
+// distance of a triangle that coincides with another surface is not rounded up, so that hits on a needle in the plane
+// of another surface may depend on the structure.)
 #pragma once
 #include <cstdint>
 #include <optional>

@@ -55,8 +55,12 @@ struct HitDistance {
     if (line.misses()) return kNoHit;
     const FlatSurface entered(box, line.entryNormal(ray));
     const FlatSurface exited(box, line.exitNormal(ray));
-    if (isInPlaneOfOrigin(exited)) return passes(isSameSide(exited.normal)) ? kNoHit : kAtOnce;
-    if (isInPlaneOfOrigin(entered)) return passes(isSameSide(entered.normal)) ? positiveOrNoHit(line.exit) : kAtOnce;
+    const bool exits = isInPlaneOfOrigin(exited);
+    if (exits || isInPlaneOfOrigin(entered)) {
+      const bool passed = passes(isSameSide(exits ? exited.normal : entered.normal));
+      if (!passed && !box.crossings(normalAtOrigin()).misses()) return kAtOnce;
+      return exits ? kNoHit : positiveOrNoHit(line.exit);
+    }
     return positiveOrNoHit(line.entry > 0 ? line.entry : line.exit);
   }
   double operator()(const TriangleShape& triangle) const { return flatDistance(triangle, triangle.areaNormal()); }
@@ -65,11 +69,16 @@ struct HitDistance {
   template <class Flat>
   double flatDistance(const Flat& shape, const dvec3& normal) const {
     if (startsHere || (oneSided && dot(ray.direction, normal) > 0)) return kNoHit;
-    const bool isInPlane = origin && shape.lineDistance(ray) != kNoHit && isInPlaneOfOrigin(FlatSurface(shape));
-    if (!isInPlane) return shape.distance(ray);
-    return passes(isSameSide(normal)) ? kNoHit : kAtOnce;
+    if (!origin) return shape.distance(ray);
+    const bool hitsAtOnce = !passes(isSameSide(normal)) && shape.lineDistance(normalAtOrigin()) != kNoHit;
+    if (!hitsAtOnce && shape.lineDistance(ray) == kNoHit) return kNoHit;
+    if (!isInPlaneOfOrigin(FlatSurface(shape))) return shape.distance(ray);
+    return hitsAtOnce ? kAtOnce : kNoHit;
   }
 
+  // Returns the line that meets what is hit at once in the plane of the ray's origin. That of the ray may meet a surface
+  // in this plane anywhere if it lies almost in the plane.
+  Ray normalAtOrigin() const { return {ray.origin, ray.originNormal}; }
   bool isInPlaneOfOrigin(const FlatSurface& surface) const {
     const std::optional<FlatSurface> start = flatOrigin(*origin, ray);
     return start && areCoplanar(*start, surface);

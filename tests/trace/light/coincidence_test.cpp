@@ -356,6 +356,27 @@ TEST_CASE("an acceleration structure finds a table at once, although rounding pu
   });
 }
 
+TEST_CASE("a table that a ray almost in its plane meets far away is behind what is nearer") {
+  onBothTracers([&](const RenderFunction& renderScene) {
+    render::RenderSettings settings = settingsOf(4, 16);
+    for (const render::AccelKind accel : {render::AccelKind::none, render::AccelKind::bvh, render::AccelKind::grid}) {
+      settings.structure.accel = accel;
+      CAPTURE(static_cast<int>(accel));
+      // Rays cross a pane of 2 km at x = 0, and its plane is that of the table, 0.4 mm below, up to rounding. They
+      // would meet the table at x = 100, and a lamp stands at x = 20.
+      SceneBuilder b;
+      b.view({-50, 0, 2e-4f}, {50, 0, -2e-4f}, {0, 0, 1}, 1e-5f);
+      b.material(glassMaterial(vec3(1), 1)).triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
+      b.material(diffuseMaterial(vec3(0)));
+      b.quad({10, -100, -4e-4f}, {900, -100, -4e-4f}, {900, 100, -4e-4f}, {10, 100, -4e-4f});
+      b.box({10, 200, -1}, {900, 300, -4e-4f});
+      b.material(diffuseMaterial(vec3(0), vec3(0.5f)));
+      b.quad({20, -50, -1}, {20, 50, -1}, {20, 50, 1}, {20, -50, 1});
+      CHECK(meanLuminance(renderScene(b.scene, settings).film) == Approx(0.5));
+    }
+  });
+}
+
 TEST_CASE("glass of one material that exists twice counts once") {
   const std::vector<std::pair<std::string, std::function<void(SceneBuilder&, int)>>> bodies{
       {"sphere",

@@ -1,0 +1,140 @@
+// Needles, triangles that are much longer than wide: a hit must not depend on the structure in which it was searched.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "host/trace/device/ray_caster.h"
+#include "tests/trace/reference/placed_meshes.h"
+#include "tests/trace/reference/scene_builder.h"
+#include "tests/trace/render/render_support.h"
+#include "tests/trace/vulkan_support/test_device.h"
+
+using namespace candela;
+using namespace candela::device;
+using glm::dvec3;
+
+namespace {
+
+using Triangle = std::array<dvec3, 3>;
+
+dvec3 direction(test::RandomMaps& random) {
+  const double z = random.number(-1, 1), angle = random.number(0, glm::two_pi<double>());
+  const double radius = std::sqrt(1 - z * z);
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+// Needles of any direction through a ball of radius 1, of a width between 1/10 and 1/10^6 of their length.
+std::vector<Triangle> needles(test::RandomMaps& random, std::size_t count) {
+  std::vector<Triangle> result(count);
+  for (Triangle& needle : result) {
+    const dvec3 middle = 0.7 * random.point(1), along = direction(random);
+    const dvec3 across = glm::normalize(glm::cross(along, direction(random)));
+    const double length = std::pow(10, random.number(-1, 1)), width = length * std::pow(10, random.number(-6, -1));
+    const dvec3 start = middle - random.number(0, 1) * length * along;
+    needle = {start, start + length * along, start + random.number(0, 1) * length * along + width * across};
+  }
+  return result;
+}
+
+// Rays to random points of the triangles, in directions of which some are close to that of the needle.
+std::vector<gpu::CastRay> raysTo(const std::vector<Triangle>& triangles, test::RandomMaps& random, std::size_t count) {
+  std::vector<gpu::CastRay> rays(count);
+  for (gpu::CastRay& ray : rays) {
+    const auto at = static_cast<std::size_t>(random.number(0, static_cast<double>(triangles.size())));
+    const auto& [a, b, c] = triangles[at];
+    const double root = std::sqrt(random.number(0, 1)), second = root * random.number(0, 1);
+    const dvec3 target = (1 - root) * a + (root - second) * b + second * c;
+    const double turn = std::pow(10, random.number(-4, 1));
+    const dvec3 towards = glm::normalize(glm::normalize(b - a) + turn * direction(random));
+    const dvec3 origin = target - random.number(0.5, 4) * towards;
+    const glm::vec3 from(origin);
+    ray.originLimit = glm::vec4(from, 1e30f);
+    ray.direction = glm::vec4(glm::vec3(glm::normalize(target - dvec3(from))), 0);
+  }
+  return rays;
+}
+
+struct Found {
+  std::vector<std::array<std::uint32_t, 2>> hits;  // distance and primitive
+  std::size_t met = 0;
+};
+
+struct Search {
+  const char* name;
+  render::AccelKind accel;
+  render::BvhLayout layout = render::BvhLayout::automatic;
+  bool copiesInstances = true;
+};
+
+Found search(vulkan::Device& device, const scene::Scene& scene, const std::vector<gpu::CastRay>& rays,
+             const Search& how) {
+  render::RenderSettings settings = squareSettings(1, 1);
+  settings.structure.accel = how.accel;
+  settings.structure.bvhLayout = how.layout;
+  settings.structure.copiesInstances = how.copiesInstances;
+  RayCaster caster(device, flatten::flattenScene(scene, settings), settings);
+  caster.load(rays, false);
+  caster.trace();
+  Found found;
+  for (const gpu::CastHit& hit : caster.hits()) {
+    found.hits.push_back({hit.found.x, hit.found.y});
+    found.met += hit.found.y != gpu::kNoPrimitive;
+  }
+  return found;
+}
+
+void requireEqualHits(const scene::Scene& scene, const std::vector<gpu::CastRay>& rays) {
+  vulkan::Device device = openTestDevice();
+  const Found expected = search(device, scene, rays, {"list", render::AccelKind::none});
+  CHECK(expected.met > rays.size() / 2);
+  for (const Search& how : {Search{"bvh2", render::AccelKind::bvh, render::BvhLayout::bvh2},
+                            Search{"cwbvh", render::AccelKind::bvh, render::BvhLayout::cwbvh},
+                            Search{"instances", render::AccelKind::bvh, render::BvhLayout::cwbvh, false},
+                            Search{"grid", render::AccelKind::grid}}) {
+    const Found found = search(device, scene, rays, how);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) differing += found.hits[i] != expected.hits[i];
+    CAPTURE(how.name, rays.size(), expected.met);
+    CHECK(differing == 0);
+  }
+}
+
+constexpr std::size_t kRays = 200000;
+
+}  // namespace
+
+TEST_CASE("needles are hit at the same distance in every structure") {
+  test::RandomMaps random(1);
+  const std::vector<Triangle> triangles = needles(random, 300);
+  test::SceneBuilder b;
+  b.material(test::diffuseMaterial(glm::vec3(0.5f)));
+  for (const auto& [p0, p1, p2] : triangles) b.triangle(glm::vec3(p0), glm::vec3(p1), glm::vec3(p2));
+  requireEqualHits(b.scene, raysTo(triangles, random, kRays));
+}
+
+TEST_CASE("needles of instances are hit at the same distance in every structure") {
+  test::RandomMaps random(2);
+  const std::vector<Triangle> ofMesh = needles(random, 80);
+  scene::Mesh mesh;
+  for (const Triangle& triangle : ofMesh) {
+    for (const dvec3& corner : triangle) {
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+      mesh.positions.emplace_back(corner);
+    }
+  }
+  test::SceneBuilder b;
+  b.material(test::diffuseMaterial(glm::vec3(0.5f)));
+  const std::uint32_t stored = test::storeBoth(b.scene, mesh);
+  std::vector<Triangle> triangles;
+  for (int i = 0; i < 6; ++i) {
+    const glm::dmat4 map = random.next(random.number(0.3, 1), random.point(1));
+    test::addInstance(b.scene, map, stored, 0);
+    for (const Triangle& triangle : ofMesh) {
+      Triangle placed;
+      for (std::size_t k = 0; k < 3; ++k) placed[k] = dvec3(map * glm::dvec4(triangle[k], 1));
+      triangles.push_back(placed);
+    }
+  }
+  requireEqualHits(b.scene, raysTo(triangles, random, kRays));
+}
