@@ -96,6 +96,6 @@ TEST_CASE("at most two hundred of ten million rays into each closed mesh miss it
 
 TEST_CASE("rays through the gap of an open mesh are counted as misses") {
   ClosedMesh open = sphereMesh(20, 128, 64);
-  open.faces.erase(open.faces.begin());
-  CHECK(misses(open, 100000) > 2);
+  open.faces.resize(open.faces.size() - 100);
+  CHECK(misses(open, 100000) > 100);
 }
