@@ -31,7 +31,8 @@ enum class Command : unsigned {
   capture = 16384,
   denoise = 32768,
   view = 65536,
-  report = 131072
+  report = 131072,
+  kernels = 262144
 };
 
 struct RenderArguments : TracingArguments,
@@ -71,6 +72,12 @@ struct BenchArguments : TracingArguments, RepeatArguments, JsonArguments, Markdo
   static constexpr Command command = Command::bench;
   std::vector<std::string> sweeps;  ///< in the notation of sweepOver()
   double threshold = 0.05;          ///< fraction of its speed that a row may lose
+};
+
+struct KernelsArguments : TracingArguments, JsonArguments, MarkdownArguments {
+  static constexpr Command command = Command::kernels;
+  bool all = false;         ///< kernels that a render would use only with another --kernel, too
+  double threshold = 0.05;  ///< fraction by which a figure may become worse
 };
 
 struct VerifyArguments : TracingArguments, VerdictArguments, StrictArguments, JsonArguments, JunitArguments {
@@ -152,13 +159,13 @@ struct ReportArguments : GeneralArguments, MarkdownArguments, SvgArguments {
 
 /// The arguments of a command that renders scenes.
 using TracingCommand = std::variant<RenderArguments, CompareArguments, BenchArguments, VerifyArguments,
-                                    ExplainArguments, CaptureArguments, ViewArguments>;
+                                    ExplainArguments, CaptureArguments, ViewArguments, KernelsArguments>;
 
 /// The arguments of any command.
 using Arguments = std::variant<RenderArguments, DevicesArguments, CheckArguments, CompareArguments, GenerateArguments,
                                BenchArguments, VerifyArguments, BoxesArguments, ExplainArguments, TuneArguments,
                                DoctorArguments, FilmArguments, MergeArguments, ConformanceArguments, CaptureArguments,
-                               DenoiseArguments, ViewArguments, ReportArguments>;
+                               DenoiseArguments, ViewArguments, ReportArguments, KernelsArguments>;
 
 /// Returns the arguments of a command with all options at their defaults.
 Arguments defaultArguments(Command command);

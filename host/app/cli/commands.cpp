@@ -8,7 +8,7 @@ namespace candela::cli {
 
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
-  static const std::array<CommandInfo, 18> table{{
+  static const std::array<CommandInfo, 19> table{{
       {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, P3F or NFF", "scene", 1, 1},
       {Command::view, "view", "view SCENE",
        "show a scene in a window while a device, the reference tracer or both render it", "scene", 1, 1},
@@ -45,6 +45,10 @@ std::span<const CommandInfo> commandTable() {
       {Command::tune, "tune", "tune [SCENE...]",
        "measure which settings are fastest on a device, and store them as the meaning of `auto`", "scene", 0,
        kUnlimited},
+      {Command::kernels, "kernels", "kernels [SCENE...] | compare OLD.json NEW.json",
+       "compile the kernels of scenes without rendering, and report what the driver makes of them, or compare two of "
+       "the resulting reports",
+       "scene", 0, kUnlimited},
       {Command::report, "report", "report RESULTS.json...",
        "compare devices by the results that the kit measured on them", "results file", 1, kUnlimited},
   }};

@@ -35,6 +35,7 @@ ExitCode run(const CaptureArguments& arguments, const Log& log);
 ExitCode run(const VerifyArguments& arguments, const Log& log);
 ExitCode run(const ExplainArguments& arguments, const Log& log);
 ExitCode run(const BenchArguments& arguments, const Log& log);
+ExitCode run(const KernelsArguments& arguments, const Log& log);
 ExitCode run(const TuneArguments& arguments, const Log& log);
 ExitCode run(const FilmArguments& arguments, const Log& log);
 ExitCode run(const DenoiseArguments& arguments, const Log& log);

@@ -34,6 +34,7 @@ nlohmann::ordered_json toJson(const ListedDevice& device) {
           {"apiVersion", info.apiVersion},
           {"usable", info.usable},
           {"whyNot", info.whyNot},
+          {"compiles", info.compiles},
           {"default", device.isDefault},
           {"memoryBytes", info.memoryBytes},
           {"maxStorageBufferRange", info.maxStorageBufferRange},

@@ -20,6 +20,7 @@ constexpr std::array kGroupTitles{
     GroupTitle{OptionGroup::capture, "Reproducers of faults"},
     GroupTitle{OptionGroup::explanation, "Explaining a sample"},
     GroupTitle{OptionGroup::benchmark, "Benchmarks"},
+    GroupTitle{OptionGroup::kernels, "Reports of kernels"},
     GroupTitle{OptionGroup::tuning, "Tuning"},
     GroupTitle{OptionGroup::generation, "Writing scenes"},
     GroupTitle{OptionGroup::viewing, "The window of view"},

@@ -29,6 +29,7 @@ std::vector<Option> conformanceOptions();
 std::vector<Option> captureOptions();
 std::vector<Option> explanationOptions();
 std::vector<Option> benchmarkOptions();
+std::vector<Option> kernelOptions();
 std::vector<Option> tuningOptions();
 std::vector<Option> generationOptions();
 std::vector<Option> viewingOptions();

@@ -13,7 +13,7 @@ const std::vector<Option>& optionTable() {
     for (const auto& part :
          {imageOptions(), sceneFileOptions(), sequenceOptions(), executionOptions(), outputOptions(), filmOptions(),
           comparisonOptions(), verificationOptions(), conformanceOptions(), captureOptions(), explanationOptions(),
-          benchmarkOptions(), tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
+          benchmarkOptions(), kernelOptions(), tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

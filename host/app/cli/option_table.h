@@ -23,6 +23,7 @@ enum class OptionGroup {
   capture,
   explanation,
   benchmark,
+  kernels,
   tuning,
   generation,
   viewing,

@@ -50,6 +50,16 @@ std::vector<Option> benchmarkOptions() {
   };
 }
 
+std::vector<Option> kernelOptions() {
+  constexpr OptionGroup kGroup = OptionGroup::kernels;
+  return {
+    flag<KernelsArguments>({"--all-kernels", kGroup, "report the megakernel and the wavefront kernels, whichever a render would use"},
+         [](auto& a) -> auto& { return a.all; }),
+    valued<KernelsArguments>({"--threshold", kGroup, "for `compare`: fraction by which a figure may become worse"},
+           fraction("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
+  };
+}
+
 std::vector<Option> tuningOptions() {
   constexpr OptionGroup kGroup = OptionGroup::tuning;
   return {

@@ -9,8 +9,8 @@
 #include "host/trace/vulkan/device_info.h"
 
 namespace candela::vulkan {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driver, driverVersion, pipelineCacheUuid, apiVersion,
-                                   usable, whyNot, memoryBytes, maxStorageBufferRange, maxTexelBufferElements,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driverName, driver, driverVersion, pipelineCacheUuid, apiVersion,
+                                   usable, whyNot, compiles, memoryBytes, maxStorageBufferRange, maxTexelBufferElements,
                                    maxWorkgroupInvocations, maxWorkgroupSize, subgroupSize, minSubgroupSize,
                                    maxSubgroupSize)
 }  // namespace candela::vulkan

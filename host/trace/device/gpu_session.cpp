@@ -13,7 +13,7 @@
 #include "host/trace/device/band_layout.h"
 #include "host/trace/device/device_memory.h"
 #include "host/trace/device/device_replay.h"
-#include "host/trace/device/small_scene_rule.h"
+#include "host/trace/device/scene_kernels.h"
 #include "host/trace/device/specialise.h"
 #include "host/trace/device/wavefront.h"
 #include "host/trace/device/workgroup.h"
@@ -53,9 +53,7 @@ void GpuSession::prepareScene() {
   const vulkan::DeviceInfo& info = context_->device.info();
   Stopwatch watch;
   const std::uint32_t rays = maxRaysPerSegment(scene_, settings_);
-  preferBvh(context_->loopLimit, info, scene_, rays, settings_.structure, prepared_.warnings);
-  const flatten::FlatScene flat = flatten::flattenScene(
-      scene_, settings_, {maxGridSideFor(context_->loopLimit, info, rays), smallSceneRule(info)});
+  const flatten::FlatScene flat = flattenFor(info, context_->loopLimit, scene_, settings_, prepared_.warnings);
   shape_ = flat.shape;
   kernel_ = kernelFor(flat, settings_);
   budget_ = loopBudget(context_->loopLimit, info, shape_, rays);

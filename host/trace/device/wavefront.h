@@ -1,6 +1,7 @@
 // The rounds of the wavefront: the order of its stages, and their queues. shaders/wavefront.glsl describes the
 // stages.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace candela::device {
 
 /// The stages, in the order of Kernel::spirv.
 enum class WaveStage { gather, extend, shade, shadow, renew };
+
+inline constexpr std::array kWaveStageNames{"gather", "extend", "shade", "shadow", "renew"};
 
 /// Maximum number of rounds recorded into one submission. Each round is five commands.
 inline constexpr std::uint32_t kMaxRounds = 1024;

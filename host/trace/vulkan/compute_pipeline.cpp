@@ -11,6 +11,21 @@
 namespace candela::vulkan {
 namespace {
 
+std::vector<std::uint32_t> withoutConstants(const ShaderCode& code) {
+  return code.specialisations.empty() ? code.words : frozenSpirv(code.words, code.specialisations);
+}
+
+std::vector<vk::SpecializationMapEntry> entriesOf(const std::vector<Specialisation>& specialisations) {
+  std::vector<vk::SpecializationMapEntry> entries;
+  for (const Specialisation& one : specialisations) {
+    const auto offset = static_cast<std::uint32_t>(entries.size() * sizeof one + offsetof(Specialisation, value));
+    entries.emplace_back(one.id, offset, sizeof one.value);
+  }
+  return entries;
+}
+
+}  // namespace
+
 vk::raii::DescriptorSetLayout makeSetLayout(const vk::raii::Device& device, const std::vector<BindingKind>& kinds) {
   std::vector<vk::DescriptorSetLayoutBinding> bindings;
   for (const BindingKind kind : kinds) {
@@ -34,21 +49,9 @@ ShaderCode codeFor(const Device::Impl& device, std::span<const std::uint32_t> sp
   return {reducedSpirv(spirv, options.specialisations)};
 }
 
-std::vector<std::uint32_t> withoutConstants(const ShaderCode& code) {
-  return code.specialisations.empty() ? code.words : frozenSpirv(code.words, code.specialisations);
-}
-
-std::vector<vk::SpecializationMapEntry> entriesOf(const std::vector<Specialisation>& specialisations) {
-  std::vector<vk::SpecializationMapEntry> entries;
-  for (const Specialisation& one : specialisations) {
-    const auto offset = static_cast<std::uint32_t>(entries.size() * sizeof one + offsetof(Specialisation, value));
-    entries.emplace_back(one.id, offset, sizeof one.value);
-  }
-  return entries;
-}
-
-vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout layout, const ShaderCode& code,
-                                const PipelineOptions& options) {
+vk::raii::Pipeline makePipeline(const Device::Impl& device, const vk::raii::PipelineCache& cache,
+                                vk::PipelineLayout layout, const ShaderCode& code, const PipelineOptions& options,
+                                vk::PipelineCreateFlags flags) {
   const std::span<const std::uint32_t> words(code.words);
   const vk::raii::ShaderModule module(device.handle, vk::ShaderModuleCreateInfo({}, words.size_bytes(), words.data()));
   const std::vector<vk::SpecializationMapEntry> entries = entriesOf(code.specialisations);
@@ -59,10 +62,8 @@ vk::raii::Pipeline makePipeline(const Device::Impl& device, vk::PipelineLayout l
   vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, options.entry.c_str());
   if (device.options.subgroupSize > 0) stage.pNext = &size;
   if (!entries.empty()) stage.pSpecializationInfo = &constants;
-  return {device.handle, device.pipelineCache, vk::ComputePipelineCreateInfo({}, stage, layout)};
+  return {device.handle, cache, vk::ComputePipelineCreateInfo(flags, stage, layout)};
 }
-
-}  // namespace
 
 vk::DescriptorType descriptorType(BindingKind kind) {
   switch (kind) {
@@ -85,7 +86,7 @@ ComputePipeline::ComputePipeline(Device& device, std::span<const std::uint32_t> 
     impl_->setLayout = makeSetLayout(handle, options.bindings);
     impl_->layout = makeLayout(handle, *impl_->setLayout, options.pushConstantBytes);
     const ShaderCode code = codeFor(*device.impl(), spirv, options);
-    impl_->handle = makePipeline(*device.impl(), *impl_->layout, code, options);
+    impl_->handle = makePipeline(*device.impl(), device.impl()->pipelineCache, *impl_->layout, code, options);
     if (Recording* const recording = device.impl()->options.recording.get()) {
       impl_->index = static_cast<std::uint32_t>(recording->shaders.size());
       recording->shaders.push_back({withoutConstants(code), options});

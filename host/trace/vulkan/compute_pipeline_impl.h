@@ -18,4 +18,13 @@ struct ComputePipeline::Impl {
 
 vk::DescriptorType descriptorType(BindingKind kind);
 
+vk::raii::DescriptorSetLayout makeSetLayout(const vk::raii::Device& device, const std::vector<BindingKind>& kinds);
+vk::raii::PipelineLayout makeLayout(const vk::raii::Device& device, vk::DescriptorSetLayout setLayout,
+                                    std::uint32_t pushConstantBytes);
+/// Returns the code that the driver gets.
+ShaderCode codeFor(const Device::Impl& device, std::span<const std::uint32_t> spirv, const PipelineOptions& options);
+vk::raii::Pipeline makePipeline(const Device::Impl& device, const vk::raii::PipelineCache& cache,
+                                vk::PipelineLayout layout, const ShaderCode& code, const PipelineOptions& options,
+                                vk::PipelineCreateFlags flags = {});
+
 }  // namespace candela::vulkan

@@ -16,7 +16,10 @@ Device Device::open(const std::string& selector, const DeviceOptions& options) {
   std::optional<Instance> instance = openInstance(options.windowExtensions);
   std::vector<vk::raii::PhysicalDevice> devices;
   if (instance) devices = instance->physicalDevices();
-  const std::vector<DeviceInfo> infos = describeAll(devices);
+  std::vector<DeviceInfo> infos = describeAll(devices);
+  if (options.compilesOnly) {
+    for (DeviceInfo& info : infos) info.usable = info.compiles;
+  }
   const DeviceInfo& info = chooseDevice(infos, selector);
   return Device(guarded("open the device", [&] {
     return std::make_shared<Impl>(std::move(*instance), std::move(devices[info.index]), info, options);

@@ -35,6 +35,9 @@ struct DeviceOptions {
   std::shared_ptr<Recording> recording{};
   /// Converts the code of every pipeline, unless PipelineOptions::isFinal; empty: reducedSpirv() converts it.
   PrepareShader prepareShader{};
+  /// True: the device creates pipelines and runs nothing, so that it needs neither memory nor commands, and
+  /// reportPipeline() returns what its driver reports.
+  bool compilesOnly = false;
   /// Instance extensions of a window system. If there are any, the device can present to its windows, provided that it
   /// has VK_KHR_swapchain: see Device::canPresent().
   std::vector<std::string> windowExtensions{};

@@ -33,8 +33,16 @@ std::uint32_t presentingQueues(const vk::raii::PhysicalDevice& physicalDevice, s
   return std::min(2u, physicalDevice.getQueueFamilyProperties()[queueFamily].queueCount);
 }
 
+bool hasExecutableInfo(const vk::raii::PhysicalDevice& physicalDevice) {
+  if (!hasExtension(physicalDevice, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)) return false;
+  using Features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR;
+  return static_cast<bool>(physicalDevice.getFeatures2<vk::PhysicalDeviceFeatures2, Features>()
+                               .get<Features>()
+                               .pipelineExecutableInfo);
+}
+
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily,
-                              const DeviceOptions& options, bool presents) {
+                              const DeviceOptions& options, bool presents, bool reportsExecutables) {
   const std::array<float, 2> priorities{1.0f, 1.0f};
   const vk::DeviceQueueCreateInfo queue({}, queueFamily, presents ? presentingQueues(physicalDevice, queueFamily) : 1,
                                         priorities.data());
@@ -44,12 +52,18 @@ vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, st
   vk::PhysicalDeviceFeatures features;
   features.robustBufferAccess = options.robustBufferAccess;
   vk::PhysicalDeviceSubgroupSizeControlFeaturesEXT sizeControl(VK_TRUE);
-  vk::DeviceCreateInfo info({}, queue, {}, extensions, &features);
+  vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR executableInfo(VK_TRUE);
+  void* chain = nullptr;
   if (options.subgroupSize > 0) {
     extensions.push_back(VK_EXT_SUBGROUP_SIZE_CONTROL_EXTENSION_NAME);
-    info.setPEnabledExtensionNames(extensions).setPNext(&sizeControl);
+    chain = &sizeControl;
   }
-  return {physicalDevice, info};
+  if (reportsExecutables) {
+    extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+    executableInfo.setPNext(chain);
+    chain = &executableInfo;
+  }
+  return {physicalDevice, vk::DeviceCreateInfo({}, queue, {}, extensions, &features, chain)};
 }
 
 }  // namespace
@@ -64,18 +78,23 @@ Device::Impl::Impl(Instance&& openedInstance, vk::raii::PhysicalDevice&& device,
       memoryProperties(physicalDevice.getMemoryProperties()) {
   queueFamily = findComputeQueue(physicalDevice).value();
   canPresent = presents(physicalDevice, queueFamily, options);
-  handle = createDevice(physicalDevice, queueFamily, options, canPresent);
+  reportsExecutables = options.compilesOnly && hasExecutableInfo(physicalDevice);
+  handle = createDevice(physicalDevice, queueFamily, options, canPresent, reportsExecutables);
   queue = handle.getQueue(queueFamily, 0);
   if (canPresent && presentingQueues(physicalDevice, queueFamily) > 1) presentQueue = handle.getQueue(queueFamily, 1);
   pipelineCache = handle.createPipelineCache({});
+  if (!options.compilesOnly) makeCommands();
+  if (options.recording == nullptr) return;
+  options.recording->robustBufferAccess = options.robustBufferAccess;
+  options.recording->subgroupSize = options.subgroupSize;
+}
+
+void Device::Impl::makeCommands() {
   commandPool = handle.createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, queueFamily});
   const vk::CommandBufferAllocateInfo commandInfo(*commandPool, vk::CommandBufferLevel::ePrimary, 1);
   commands = std::move(handle.allocateCommandBuffers(commandInfo).front());
   fence = handle.createFence({});
   hangLimit = HangLimit(options.hangTimeout, info.isSoftware());
-  if (options.recording == nullptr) return;
-  options.recording->robustBufferAccess = options.robustBufferAccess;
-  options.recording->subgroupSize = options.subgroupSize;
 }
 
 RawBuffer& Device::Impl::staging() {

@@ -31,6 +31,7 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   /// the window's thread uses it.
   vk::raii::Queue presentQueue{nullptr};
   bool canPresent = false;
+  bool reportsExecutables = false;  ///< VK_KHR_pipeline_executable_properties is enabled
   vk::raii::PipelineCache pipelineCache{nullptr};
   vk::raii::CommandPool commandPool{nullptr};
   vk::raii::CommandBuffer commands{nullptr};
@@ -56,6 +57,7 @@ struct Device::Impl : std::enable_shared_from_this<Device::Impl> {
   double run(const std::function<void(const CommandRecorder::Impl&)>& record);
 
  private:
+  void makeCommands();
   double submitAndWait(FirstRun first);
   void waitForFence(FirstRun first);
   void settle();

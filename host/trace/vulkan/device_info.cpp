@@ -43,6 +43,14 @@ std::uint64_t deviceLocalBytes(const vk::raii::PhysicalDevice& device) {
   return bytes;
 }
 
+bool hasMappedMemory(const vk::raii::PhysicalDevice& device) {
+  constexpr vk::MemoryPropertyFlags kMapped = vk::MemoryPropertyFlagBits::eHostVisible |
+                                              vk::MemoryPropertyFlagBits::eHostCoherent;
+  const vk::PhysicalDeviceMemoryProperties memory = device.getMemoryProperties();
+  return std::any_of(memory.memoryTypes.begin(), memory.memoryTypes.begin() + memory.memoryTypeCount,
+                     [kMapped](const vk::MemoryType& type) { return (type.propertyFlags & kMapped) == kMapped; });
+}
+
 void fillLimits(DeviceInfo& info, const vk::PhysicalDeviceLimits& limits) {
   info.maxStorageBufferRange = limits.maxStorageBufferRange;
   info.maxTexelBufferElements = limits.maxTexelBufferElements;
@@ -56,7 +64,8 @@ void fillDriver(DeviceInfo& info, const vk::raii::PhysicalDevice& device) {
   const auto chain = device.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceDriverProperties,
                                            vk::PhysicalDeviceIDProperties, vk::PhysicalDeviceSubgroupProperties>();
   const auto& driver = chain.get<vk::PhysicalDeviceDriverProperties>();
-  info.driver = fmt::format("{} {}", driver.driverName.data(), driver.driverInfo.data());
+  info.driverName = driver.driverName.data();
+  info.driver = fmt::format("{} {}", info.driverName, driver.driverInfo.data());
   while (!info.driver.empty() && info.driver.back() == ' ') info.driver.pop_back();
   info.driverUuid = fmt::format("{:02x}", fmt::join(chain.get<vk::PhysicalDeviceIDProperties>().driverUUID, ""));
   info.subgroupSize = chain.get<vk::PhysicalDeviceSubgroupProperties>().subgroupSize;
@@ -113,7 +122,9 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
     info.whyNot = "it has no compute queue";
     return info;
   }
-  info.usable = true;
+  info.compiles = true;
+  info.usable = hasMappedMemory(device);
+  if (!info.usable) info.whyNot = "it has no memory that the host can map, so that it only compiles kernels";
   return info;
 }
 

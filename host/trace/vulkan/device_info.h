@@ -10,6 +10,7 @@ struct DeviceInfo {
   std::uint32_t index = 0;
   std::string name;
   std::string type;                 ///< "discrete GPU", "integrated GPU", "virtual GPU", "CPU", "other"
+  std::string driverName;           ///< e.g. "radv"; only for Vulkan 1.2
   std::string driver;               ///< name and version text, e.g. "llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"
   std::uint32_t driverVersion = 0;  ///< in the driver's own encoding
   std::string driverUuid;           ///< 32 hexadecimal digits; only for Vulkan 1.2
@@ -17,6 +18,7 @@ struct DeviceInfo {
   std::string apiVersion;           ///< "1.3.230"
   bool usable = false;
   std::string whyNot;             ///< if not usable: the reason
+  bool compiles = false;          ///< it has what pipelines need; a device that is usable compiles, too
   std::uint64_t memoryBytes = 0;  ///< size of the device-local heaps
   std::uint64_t maxStorageBufferRange = 0;
   std::uint64_t maxTexelBufferElements = 0;
