@@ -1,8 +1,7 @@
-// Does nothing: a driver reports for it how many invocations a device has in flight at most.
+// Does nothing: a driver reports for it how many invocations the device has in flight at most. The workgroup is no smaller
+// than any subgroup.
 #version 450
-#extension GL_GOOGLE_include_directive : require
-#include "shared/specialization.h"
 
-layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY) in;
+layout(local_size_x = 128) in;
 
 void main() {}

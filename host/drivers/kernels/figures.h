@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <optional>
+#include <string_view>
 
 #include "host/trace/vulkan/pipeline_report.h"
 
@@ -33,8 +34,8 @@ struct FigureInfo {
 
 inline constexpr std::array kFigures{
     FigureInfo{&Figures::occupancy, "occupancyFraction", "occupancy", Better::higher, true},
-    FigureInfo{&Figures::spillsToMemory, "spillsToMemory", "spills to memory", Better::lower, false},
-    FigureInfo{&Figures::spillsToRegisters, "spillsToRegisters", "to registers", Better::lower, false},
+    FigureInfo{&Figures::spillsToMemory, "spillsToMemory", "memory spills", Better::lower, false},
+    FigureInfo{&Figures::spillsToRegisters, "spillsToRegisters", "register spills", Better::lower, false},
     FigureInfo{&Figures::registers, "registers", "registers", Better::notJudged, false},
     FigureInfo{&Figures::instructions, "instructions", "instructions", Better::lower, false},
     FigureInfo{&Figures::cycles, "cycles", "cycles", Better::lower, false},
@@ -43,8 +44,8 @@ inline constexpr std::array kFigures{
     FigureInfo{&Figures::cacheBytes, "cacheBytes", "cache bytes", Better::notJudged, false},
     FigureInfo{&Figures::compileSeconds, "compileSeconds", "ms to compile", Better::notJudged, true}};
 
-/// Returns the figures in what a driver reports about an executable, without occupancy.
-Figures normalise(const vulkan::Executable& executable);
+/// Returns the figures in what a driver (vulkan::DeviceInfo::driverName) reports about an executable, without occupancy.
+Figures normalise(const vulkan::Executable& executable, std::string_view driverName);
 
 /// Returns the number of invocations that a multiprocessor of the device, in the driver's sense, has in flight.
 /// `minSubgroupSize` is that of the device. Empty: the driver does not report it.

@@ -55,11 +55,16 @@ ReportContent readContent(const json& report, const std::string& name) {
   }
 }
 
+bool isWithin(const FigureChange& change, double threshold) {
+  if (!change.oldValue || !change.newValue) return false;
+  const auto [low, high] = std::minmax(*change.oldValue, *change.newValue);
+  return high <= low * (1 + threshold);
+}
+
 FigureVerdict judge(const FigureChange& change, double threshold) {
   if (change.figure->better == Better::notJudged || !change.oldValue) return FigureVerdict::changed;
   if (!change.newValue) return FigureVerdict::missing;
-  const auto [low, high] = std::minmax(*change.oldValue, *change.newValue);
-  if (high <= low * (1 + threshold)) return FigureVerdict::changed;
+  if (isWithin(change, threshold)) return FigureVerdict::changed;
   const bool isHigher = *change.newValue > *change.oldValue;
   return isHigher == (change.figure->better == Better::higher) ? FigureVerdict::better : FigureVerdict::worse;
 }
@@ -73,6 +78,7 @@ ComparedRow compareRows(const ReportRow& before, const ReportRow& after, bool is
   for (const FigureInfo& figure : kFigures) {
     FigureChange change{&figure, before.figures.*figure.member, after.figures.*figure.member};
     if (change.oldValue == change.newValue || !(isOneDriver || figure.isOfAllDrivers)) continue;
+    if (figure.member == &Figures::compileSeconds && isWithin(change, threshold)) continue;  // it always differs
     change.verdict = judge(change, threshold);
     row.changes.push_back(change);
   }

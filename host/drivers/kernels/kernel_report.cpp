@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "host/base/report_head.h"
@@ -38,13 +37,6 @@ std::string headline(const KernelReport& report) {
   return device + "\nThis driver reports no statistics (VK_KHR_pipeline_executable_properties).";
 }
 
-// Integers without a decimal point, as drivers count them.
-nlohmann::ordered_json numberOf(double value) {
-  constexpr double kMaxWhole = 9007199254740992;
-  if (value == std::floor(value) && std::abs(value) <= kMaxWhole) return static_cast<std::int64_t>(value);
-  return value;
-}
-
 std::string settingsText(const KernelRow& row) {
   std::string text = fmt::format("workgroup {}, structure {}", row.workgroup, row.structure);
   if (!row.layout.empty()) text += ", layout " + row.layout;
@@ -53,14 +45,15 @@ std::string settingsText(const KernelRow& row) {
 
 std::string textOf(const vulkan::Executable& executable) {
   std::string text = fmt::format("  {}, subgroups of {}:\n", executable.name, executable.subgroupSize);
-  for (const auto& [name, value] : executable.statistics) text += fmt::format("    {:<32} {}\n", name, value);
+  for (const auto& [name, value] : executable.statistics)
+    std::visit([&](auto number) { text += fmt::format("    {:<32} {}\n", name, number); }, value);
   return text;
 }
 
 nlohmann::ordered_json toJson(const vulkan::Executable& executable) {
   nlohmann::ordered_json statistics = nlohmann::ordered_json::array();
   for (const auto& [name, value] : executable.statistics)
-    statistics.push_back({{"name", name}, {"value", numberOf(value)}});
+    std::visit([&](auto number) { statistics.push_back({{"name", name}, {"value", number}}); }, value);
   return {{"name", executable.name}, {"subgroupSize", executable.subgroupSize}, {"statistics", std::move(statistics)}};
 }
 
@@ -70,7 +63,7 @@ nlohmann::ordered_json toJson(const KernelRow& row) {
                               {"sceneLoads", row.sceneLoads}};
   for (const FigureInfo& figure : kFigures) {
     const std::optional<double>& value = row.figures.*figure.member;
-    line[figure.key] = value ? numberOf(*value) : nullptr;
+    line[figure.key] = value ? nlohmann::ordered_json(*value) : nullptr;
   }
   line["executables"] = nlohmann::ordered_json::array();
   for (const vulkan::Executable& executable : row.executables) line["executables"].push_back(toJson(executable));
@@ -92,8 +85,9 @@ std::string figureText(const FigureInfo& figure, const std::optional<double>& va
 
 std::string toText(const KernelReport& report) {
   std::string text = headline(report) + "\n\n" + toText(tableOf(report));
+  text += "\n";
   for (const KernelRow& row : report.rows) {
-    text += fmt::format("\n{}, {}: {}\n", row.scene, row.kernel, settingsText(row));
+    text += fmt::format("{}, {}: {}\n", row.scene, row.kernel, settingsText(row));
     for (const vulkan::Executable& executable : row.executables) text += textOf(executable);
   }
   return text;

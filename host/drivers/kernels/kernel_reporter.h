@@ -21,11 +21,10 @@ class KernelReporter {
   std::vector<KernelRow> rowsOf(const scene::Scene& scene, const render::RenderSettings& settings);
 
  private:
-  KernelRow rowOf(const device::SceneKernels& kernels, std::size_t module, std::optional<double> maxInvocations);
-  std::optional<double> maxInvocations(const render::Extent& workgroup);
+  KernelRow rowOf(const device::SceneKernels& kernels, std::size_t module);
 
   vulkan::Device device_;
-  std::optional<vulkan::Device> widest_;  ///< the device with its largest subgroups, if it can require them
+  std::optional<double> maxInvocations_;  ///< that the device has in flight; empty: the driver does not report them
 };
 
 }  // namespace candela::kernels

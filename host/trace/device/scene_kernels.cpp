@@ -43,9 +43,4 @@ std::string moduleName(const Kernel& kernel, std::size_t module) {
 
 std::span<const std::uint32_t> emptyKernel() { return spirv::empty; }
 
-vulkan::PipelineOptions emptyKernelOptions(const render::Extent& workgroup) {
-  return {.bindings = {},
-          .specialisations = {{gpu::kSpecWorkgroupX, workgroup.width}, {gpu::kSpecWorkgroupY, workgroup.height}}};
-}
-
 }  // namespace candela::device

@@ -33,8 +33,7 @@ SceneKernels kernelsOf(const vulkan::DeviceInfo& info, const scene::Scene& scene
 /// Returns the name of a module of a kernel: that of the kernel, and for the wavefront that of the stage.
 std::string moduleName(const Kernel& kernel, std::size_t module);
 
-/// Returns a kernel that does nothing, with a workgroup of this size, and its options.
+/// Returns a kernel that does nothing. It has neither bindings nor specialisation constants.
 std::span<const std::uint32_t> emptyKernel();
-vulkan::PipelineOptions emptyKernelOptions(const render::Extent& workgroup);
 
 }  // namespace candela::device

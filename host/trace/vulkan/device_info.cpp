@@ -9,6 +9,7 @@
 #include "host/trace/vulkan/describe.h"
 #include "host/trace/vulkan/device_choice.h"
 #include "host/trace/vulkan/instance.h"
+#include "host/trace/vulkan/stand_in.h"
 #include "host/trace/vulkan/vulkan_errors.h"
 
 namespace candela::vulkan {
@@ -49,6 +50,15 @@ bool hasMappedMemory(const vk::raii::PhysicalDevice& device) {
   const vk::PhysicalDeviceMemoryProperties memory = device.getMemoryProperties();
   return std::any_of(memory.memoryTypes.begin(), memory.memoryTypes.begin() + memory.memoryTypeCount,
                      [kMapped](const vk::MemoryType& type) { return (type.propertyFlags & kMapped) == kMapped; });
+}
+
+/// Returns why a device with a compute queue cannot render; empty if it can.
+std::string whyItRunsNothing(const vk::raii::PhysicalDevice& device, const DeviceInfo& info) {
+  const std::string standIn = info.isSoftware() ? "" : standInFor(info.name, loadedLibraries());
+  if (!standIn.empty())
+    return fmt::format("there is no such GPU: {} stands in for it, which compiles kernels and executes nothing", standIn);
+  if (hasMappedMemory(device)) return "";
+  return "it has no memory that the host can map, so that it only compiles kernels";
 }
 
 void fillLimits(DeviceInfo& info, const vk::PhysicalDeviceLimits& limits) {
@@ -123,8 +133,8 @@ DeviceInfo describe(const vk::raii::PhysicalDevice& device, std::uint32_t index)
     return info;
   }
   info.compiles = true;
-  info.usable = hasMappedMemory(device);
-  if (!info.usable) info.whyNot = "it has no memory that the host can map, so that it only compiles kernels";
+  info.whyNot = whyItRunsNothing(device, info);
+  info.usable = info.whyNot.empty();
   return info;
 }
 

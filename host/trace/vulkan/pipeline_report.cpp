@@ -1,7 +1,8 @@
 // Creates a pipeline and reads what its driver reports.
 #include "host/trace/vulkan/pipeline_report.h"
 
-#include "host/base/stopwatch.h"
+#include <ctime>
+
 #include "host/trace/vulkan/compute_pipeline_impl.h"
 #include "host/trace/vulkan/device.h"
 #include "host/trace/vulkan/vulkan_errors.h"
@@ -9,14 +10,14 @@
 namespace candela::vulkan {
 namespace {
 
-double valueOf(const vk::PipelineExecutableStatisticKHR& statistic) {
+decltype(ExecutableStatistic::value) valueOf(const vk::PipelineExecutableStatisticKHR& statistic) {
   switch (statistic.format) {
     case vk::PipelineExecutableStatisticFormatKHR::eBool32:
-      return statistic.value.b32 == VK_FALSE ? 0 : 1;
+      return statistic.value.b32 != VK_FALSE;
     case vk::PipelineExecutableStatisticFormatKHR::eInt64:
-      return static_cast<double>(statistic.value.i64);
+      return std::int64_t{statistic.value.i64};
     case vk::PipelineExecutableStatisticFormatKHR::eUint64:
-      return static_cast<double>(statistic.value.u64);
+      return std::uint64_t{statistic.value.u64};
     case vk::PipelineExecutableStatisticFormatKHR::eFloat64:
       break;
   }
@@ -46,9 +47,9 @@ PipelineReport reportPipeline(Device& device, std::span<const std::uint32_t> spi
     PipelineReport report;
     report.spirvBytes = std::span(code.words).size_bytes();
     const vk::raii::PipelineCache cache(impl.handle, vk::PipelineCacheCreateInfo());
-    Stopwatch watch;
+    const std::clock_t start = std::clock();
     const vk::raii::Pipeline pipeline = makePipeline(impl, cache, *layout, code, options);
-    report.seconds = watch.lap();
+    report.seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     report.cacheBytes = cache.getData().size();
     if (!impl.reportsExecutables) return report;
     const vk::raii::PipelineCache unused(impl.handle, vk::PipelineCacheCreateInfo());

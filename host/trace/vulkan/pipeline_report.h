@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "host/trace/vulkan/compute_pipeline.h"
@@ -12,7 +13,7 @@ namespace candela::vulkan {
 
 struct ExecutableStatistic {
   std::string name;  ///< in the driver's words
-  double value = 0;  ///< Booleans are 0 or 1
+  std::variant<bool, std::int64_t, std::uint64_t, double> value;
 };
 
 /// A part of a pipeline that the driver compiled. Most drivers compile a compute shader to one.
@@ -23,7 +24,8 @@ struct Executable {
 };
 
 struct PipelineReport {
-  double seconds = 0;                   ///< to create the pipeline, without the preparation of its SPIR-V
+  /// Processor time of all threads to create the pipeline, without the preparation of its SPIR-V.
+  double seconds = 0;
   std::size_t spirvBytes = 0;           ///< of the module that the driver gets
   std::size_t cacheBytes = 0;           ///< content of a pipeline cache that has this pipeline alone
   std::vector<Executable> executables;  ///< empty: the driver reports none
