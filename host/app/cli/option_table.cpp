@@ -10,10 +10,10 @@ namespace candela::cli {
 const std::vector<Option>& optionTable() {
   static const std::vector<Option> table = [] {
     std::vector<Option> all;
-    for (const auto& part :
-         {imageOptions(), sceneFileOptions(), sequenceOptions(), executionOptions(), outputOptions(), filmOptions(),
-          comparisonOptions(), verificationOptions(), conformanceOptions(), captureOptions(), explanationOptions(),
-          benchmarkOptions(), kernelOptions(), tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
+    for (const auto& part : {imageOptions(), sceneFileOptions(), sequenceOptions(), executionOptions(), outputOptions(),
+                             filmOptions(), comparisonOptions(), verificationOptions(), conformanceOptions(),
+                             captureOptions(), explanationOptions(), benchmarkOptions(), kernelOptions(),
+                             tuningOptions(), generationOptions(), viewingOptions(), generalOptions()}) {
       all.insert(all.end(), part.begin(), part.end());
     }
     return all;

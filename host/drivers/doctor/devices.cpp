@@ -44,9 +44,8 @@ Check checkDevice(const vulkan::DeviceInfo& device) {
   if (device.usable) return check;
   check.status = Status::warning;
   check.text += "; not usable: " + device.whyNot;
-  check.remedy = device.compiles
-                     ? "choose another device for renders; `candela kernels` reports what this one compiles"
-                     : "install a newer driver of this device, or choose another device";
+  check.remedy = device.compiles ? "choose another device for renders; `candela kernels` reports what this one compiles"
+                                 : "install a newer driver of this device, or choose another device";
   return check;
 }
 

@@ -9,10 +9,10 @@
 #include "host/trace/vulkan/device_info.h"
 
 namespace candela::vulkan {
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driverName, driver, driverVersion, pipelineCacheUuid, apiVersion,
-                                   usable, whyNot, compiles, memoryBytes, maxStorageBufferRange, maxTexelBufferElements,
-                                   maxWorkgroupInvocations, maxWorkgroupSize, subgroupSize, minSubgroupSize,
-                                   maxSubgroupSize)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(DeviceInfo, index, name, type, driverName, driver, driverVersion, pipelineCacheUuid,
+                                   apiVersion, usable, whyNot, compiles, memoryBytes, maxStorageBufferRange,
+                                   maxTexelBufferElements, maxWorkgroupInvocations, maxWorkgroupSize, subgroupSize,
+                                   minSubgroupSize, maxSubgroupSize)
 }  // namespace candela::vulkan
 
 namespace candela::doctor {

@@ -44,7 +44,8 @@ inline constexpr std::array kFigures{
     FigureInfo{&Figures::cacheBytes, "cacheBytes", "cache bytes", Better::notJudged, false},
     FigureInfo{&Figures::compileSeconds, "compileSeconds", "ms to compile", Better::notJudged, true}};
 
-/// Returns the figures in what a driver (vulkan::DeviceInfo::driverName) reports about an executable, without occupancy.
+/// Returns the figures in what a driver (vulkan::DeviceInfo::driverName) reports about an executable, without
+/// occupancy.
 Figures normalise(const vulkan::Executable& executable, std::string_view driverName);
 
 /// Returns the number of invocations that a multiprocessor of the device, in the driver's sense, has in flight.

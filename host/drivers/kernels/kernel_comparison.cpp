@@ -45,9 +45,8 @@ ReportContent readContent(const json& report, const std::string& name) {
     const JsonValue root(report, "");
     const JsonValue schema = root.require("schema");
     if (schema.text() != kKernelsSchema) schema.fail("it has another schema");
-    ReportContent content{root.require("device").text() + ", " + root.require("driver").text(),
-                          root.require("driverName").text(),
-                          {}};
+    ReportContent content{
+        root.require("device").text() + ", " + root.require("driver").text(), root.require("driverName").text(), {}};
     for (const JsonValue& row : root.require("rows").items()) content.rows.push_back(rowIn(row));
     return content;
   } catch (const JsonError& error) {

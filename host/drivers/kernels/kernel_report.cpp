@@ -13,7 +13,8 @@ namespace candela::kernels {
 namespace {
 
 bool isReported(const KernelReport& report, const FigureInfo& figure) {
-  return std::ranges::any_of(report.rows, [&](const KernelRow& row) { return (row.figures.*figure.member).has_value(); });
+  return std::ranges::any_of(report.rows,
+                             [&](const KernelRow& row) { return (row.figures.*figure.member).has_value(); });
 }
 
 bench::TextTable tableOf(const KernelReport& report) {
@@ -58,8 +59,8 @@ nlohmann::ordered_json toJson(const vulkan::Executable& executable) {
 }
 
 nlohmann::ordered_json toJson(const KernelRow& row) {
-  nlohmann::ordered_json line{{"scene", row.scene},         {"sceneHash", row.sceneHash}, {"kernel", row.kernel},
-                              {"workgroup", row.workgroup}, {"structure", row.structure}, {"layout", row.layout},
+  nlohmann::ordered_json line{{"scene", row.scene},          {"sceneHash", row.sceneHash}, {"kernel", row.kernel},
+                              {"workgroup", row.workgroup},  {"structure", row.structure}, {"layout", row.layout},
                               {"sceneLoads", row.sceneLoads}};
   for (const FigureInfo& figure : kFigures) {
     const std::optional<double>& value = row.figures.*figure.member;

@@ -28,12 +28,13 @@ SceneKernels kernelsOf(const vulkan::DeviceInfo& info, const scene::Scene& scene
   std::vector<std::string> warnings;
   const flatten::FlatScene flat = flattenFor(info, vulkan::kUnlimitedIterations, scene, used, warnings);
   const render::SceneLoads loads = loadsFor(info, flat, used);
-  return {.kernel = kernelFor(flat, used),
-          .options = kernelOptions(flat.shape, used, loads == render::SceneLoads::texel, sizeof(gpu::DispatchConstants)),
-          .structure = used.structure,
-          .layout = flat.shape.layout(),
-          .loads = loads,
-          .workgroup = used.execution.workgroupInUse()};
+  return {
+      .kernel = kernelFor(flat, used),
+      .options = kernelOptions(flat.shape, used, loads == render::SceneLoads::texel, sizeof(gpu::DispatchConstants)),
+      .structure = used.structure,
+      .layout = flat.shape.layout(),
+      .loads = loads,
+      .workgroup = used.execution.workgroupInUse()};
 }
 
 std::string moduleName(const Kernel& kernel, std::size_t module) {

@@ -36,9 +36,8 @@ std::uint32_t presentingQueues(const vk::raii::PhysicalDevice& physicalDevice, s
 bool hasExecutableInfo(const vk::raii::PhysicalDevice& physicalDevice) {
   if (!hasExtension(physicalDevice, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME)) return false;
   using Features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR;
-  return static_cast<bool>(physicalDevice.getFeatures2<vk::PhysicalDeviceFeatures2, Features>()
-                               .get<Features>()
-                               .pipelineExecutableInfo);
+  return static_cast<bool>(
+      physicalDevice.getFeatures2<vk::PhysicalDeviceFeatures2, Features>().get<Features>().pipelineExecutableInfo);
 }
 
 vk::raii::Device createDevice(const vk::raii::PhysicalDevice& physicalDevice, std::uint32_t queueFamily,

@@ -56,7 +56,8 @@ bool hasMappedMemory(const vk::raii::PhysicalDevice& device) {
 std::string whyItRunsNothing(const vk::raii::PhysicalDevice& device, const DeviceInfo& info) {
   const std::string standIn = info.isSoftware() ? "" : standInFor(info.name, loadedLibraries());
   if (!standIn.empty())
-    return fmt::format("there is no such GPU: {} stands in for it, which compiles kernels and executes nothing", standIn);
+    return fmt::format("there is no such GPU: {} stands in for it, which compiles kernels and executes nothing",
+                       standIn);
   if (hasMappedMemory(device)) return "";
   return "it has no memory that the host can map, so that it only compiles kernels";
 }

@@ -37,6 +37,8 @@ class Inputs {
     render({"--samples", "2:4", "--checkpoint", path("second.exr")});
     run({"bench", path("a.p3f"), "--device", "cpu", "--size", "8x8", "--spp", "1", "--repeat", "1", "--json",
          path("bench.json")});
+    folder_.write("kernels.json", R"({"schema": "candela-kernels/1", "device": "d", "driver": "v", "driverName": "n",
+      "rows": [{"scene": "a", "sceneHash": "1", "kernel": "megakernel", "workgroup": "8x8", "cycles": 1}]})");
   }
 
   std::string path(const std::string& name) const { return folder_.path(name); }
@@ -85,6 +87,8 @@ std::vector<Document> documentsOf(const Inputs& in) {
       {"candela-bench/2", with({"bench", "accel", scene}, once)},
       {"candela-bench/2", {"bench", "rays", scene, "--size", "8x8", "--repeat", "1"}},
       {"candela-bench-comparison/2", {"bench", "compare", in.path("bench.json"), in.path("bench.json")}, false},
+      {"candela-kernels/1", {"kernels", scene}},
+      {"candela-kernels-comparison/1", {"kernels", "compare", in.path("kernels.json"), in.path("kernels.json")}, false},
       {"candela-film/1", {"film", in.path("first.exr")}, false},
       {"candela-film/1", {"merge", in.path("first.exr"), in.path("second.exr"), "-o", in.path("all.exr")}, false},
   };
