@@ -1,4 +1,5 @@
-// Reports on a pipeline: what its driver says (VK_KHR_pipeline_executable_properties), the time to create it, and its sizes.
+// Reports on a pipeline: what its driver says (VK_KHR_pipeline_executable_properties), the time to create it, and its
+// sizes.
 #pragma once
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,7 @@
 // `candela kernels` on a device, and its comparison of two reports.
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/cli/run_program.h"
@@ -19,8 +20,9 @@ class Kernels {
   std::string path(const std::string& name) const { return folder_.path(name); }
   std::string write(const std::string& name, const std::string& text) const { return folder_.write(name, text); }
 
-  ProgramResult run(std::vector<std::string> words) const {
-    words.insert(words.begin(), "kernels");
+  ProgramResult run(const std::vector<std::string>& options) const {
+    std::vector<std::string> words{"kernels"};
+    words.insert(words.end(), options.begin(), options.end());
     if (const char* device = std::getenv("CANDELA_TEST_DEVICE")) words.insert(words.end(), {"--device", device});
     return runCandela(words);
   }
@@ -44,6 +46,16 @@ std::vector<std::string> namesIn(const json& report) {
   return names;
 }
 
+// The environment in which RADV opens an RX 6800 that is not there; empty without RADV.
+std::vector<std::string> withNullHardware() {
+  for (const std::string file : {"radeon_icd.json", "radeon_icd.x86_64.json"}) {
+    const std::string path = "/usr/share/vulkan/icd.d/" + file;
+    if (!std::filesystem::exists(path)) continue;
+    return {"VK_DRIVER_FILES=" + path, "VK_ICD_FILENAMES=" + path, "RADV_FORCE_FAMILY=navi21"};
+  }
+  return {};
+}
+
 const std::vector<std::string> kWavefront{"wavefront.gather", "wavefront.extend", "wavefront.shade", "wavefront.shadow",
                                           "wavefront.renew"};
 
@@ -65,8 +77,8 @@ TEST_CASE("kernels reports those of a render with its settings, with sizes and t
 TEST_CASE("the kernels that are reported are those that a render uses", "[swiftshader-slow]") {
   const Kernels kernels;
   CHECK(namesIn(kernels.report({"--kernel", "wavefront"})) == kWavefront);
-  std::vector<std::string> all = kWavefront;
-  all.insert(all.begin(), "megakernel");
+  std::vector<std::string> all{"megakernel"};
+  all.insert(all.end(), kWavefront.begin(), kWavefront.end());
   CHECK(namesIn(kernels.report({"--all-kernels"})) == all);
   CHECK(namesIn(kernels.report({"--integrator", "normal", "--all-kernels"})) == std::vector<std::string>{"views"});
   const ProgramResult both = kernels.run({kernels.scene(), "--all-kernels", "--kernel", "wavefront"});
@@ -112,6 +124,33 @@ TEST_CASE("a comparison of kernels refuses other files, numbers of files and opt
   const ProgramResult option = runCandela({"kernels", "compare", empty, empty, "--spp", "4"});
   CHECK(option.exitCode == 1);
   CHECK_THAT(option.err, Contains("kernels compare --spp: this option applies only to kernels SCENE"));
+}
+
+TEST_CASE("a GPU that is not there compiles and reports, and devices, doctor and render say what it is", "[slow]") {
+  const Kernels kernels;
+  const Surroundings surroundings{withNullHardware(), {}, {}};
+  const ProgramResult devices = runCandela({"devices"}, surroundings);
+  if (!contains(devices.out, "Null hardware")) {
+    WARN("this machine has no RADV, or one of Mesa 26 or later, which has no null hardware");
+    return;
+  }
+  CHECK_THAT(devices.out, Contains("NOT USABLE: there is no such GPU: RADV_FORCE_FAMILY stands in for it"));
+  CHECK_THAT(runCandela({"doctor"}, surroundings).out, Contains("`candela kernels` reports what this one compiles"));
+  const ProgramResult render = runCandela({kernels.scene(), "-o", kernels.path("a.png")}, surroundings);
+  CHECK(render.exitCode == 4);
+  CHECK_THAT(render.err, Contains("there is no such GPU"));
+
+  const ProgramResult result = runCandela({"kernels", kernels.scene(), "--all-kernels", "--json", "-"}, surroundings);
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  for (const json& row : json::parse(result.out)["rows"]) {
+    CAPTURE(row["kernel"]);
+    CHECK(row["occupancyFraction"].get<double>() > 0);
+    CHECK(row["occupancyFraction"].get<double>() <= 1);
+    for (const char* figure : {"registers", "instructions", "cycles", "codeBytes"})
+      CHECK(row[figure].get<double>() > 0);
+    for (const char* figure : {"spillsToMemory", "spillsToRegisters"}) CHECK(row[figure].is_number());
+  }
 }
 
 TEST_CASE("the reference has no kernels, and without a valid scene nothing is written") {
