@@ -12,6 +12,7 @@ inline constexpr unsigned kDevices = static_cast<unsigned>(Command::devices);
 inline constexpr unsigned kVerify = static_cast<unsigned>(Command::verify);
 inline constexpr unsigned kBoxes = static_cast<unsigned>(Command::boxes);
 inline constexpr unsigned kView = static_cast<unsigned>(Command::view);
+inline constexpr unsigned kLayered = kRender | kView | static_cast<unsigned>(Command::kernels);
 inline constexpr unsigned kTracingButVerify = commandsWith<TracingArguments> & ~kVerify;
 inline constexpr unsigned kSurrounding = commandsWith<SceneArguments> & ~kBoxes;
 

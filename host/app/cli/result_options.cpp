@@ -42,7 +42,7 @@ std::vector<Option> outputOptions() {
   return {
     paths<ImageFileArguments>({"-o,--output", kGroup, "image file (.png, .jpg, .hdr, .pfm or .exr); `-`: a PNG file to stdout, `-.exr`: an EXR file, and so on; repeatable"}, "FILE",
           [](auto& a) -> auto& { return a.outputs; }),
-    valued<TracingArguments, kRender | kView>({"--aov", kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}; `id` and `material` are short names of the last two, and `all` means every layer", fmt::join(image::layerNames(), ", "))},
+    valued<TracingArguments, kLayered>({"--aov", kGroup, fmt::format("layers to store beside the image in EXR files and films, separated by commas: {}; `id` and `material` are short names of the last two, and `all` means every layer", fmt::join(image::layerNames(), ", "))},
            layerList(), [](auto& a) -> auto& { return a.request.image.layers; }),
     valued<RenderArguments>({"--display-server", kGroup, "show the image, while it is rendered, in the viewer tev at this address (tev's default port: 14158)"},
            orAbsent(serverAddress(), "none"), [](auto& a) -> auto& { return a.displayServer; }),

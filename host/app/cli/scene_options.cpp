@@ -73,7 +73,7 @@ std::vector<Option> imageOptions() {
            named<render::Backdrop>(), [](auto& a) -> auto& { return a.request.image.backdrop; }),
     valued<TracingArguments>({"--film-scale", kGroup, "scale of the film, a power of two: samples up to 2^(20+N) are recorded in units of 2^(N-40), brighter ones are clamped; `auto`: 0, and more if the scene has strong lights"},
            orAbsent(wholeNumber(0, image::kMaxFilmScale), "auto"), [](auto& a) -> auto& { return a.request.filmScale; }),
-    flag<TracingArguments, kRender | kView>({"--aov-through-specular", kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},
+    flag<TracingArguments, kLayered>({"--aov-through-specular", kGroup, "let layers of surfaces show the first hit that is neither a perfect mirror nor glass; layers of light stay the same"},
          [](auto& a) -> auto& { return a.request.image.layersThroughSpecular; }),
     valued<RenderArguments>({"--noise-threshold", kGroup, "sample adaptively: stop sampling a pixel when its estimated relative error is at most T, for example 0.1; --spp is the maximum number of samples; `off`: --spp samples everywhere"},
            orAbsent(fraction("T", 1e-6, 1e6), "off"), [](auto& a) -> auto& { return a.film.noiseThreshold; }),

@@ -81,6 +81,8 @@ TEST_CASE("the kernels that are reported are those that a render uses", "[swifts
   all.insert(all.end(), kWavefront.begin(), kWavefront.end());
   CHECK(namesIn(kernels.report({"--all-kernels"})) == all);
   CHECK(namesIn(kernels.report({"--integrator", "normal", "--all-kernels"})) == std::vector<std::string>{"views"});
+  const json plain = kernels.report(), layered = kernels.report({"--aov", "normal,albedo"});
+  CHECK(layered["rows"][0]["spirvBytes"] > plain["rows"][0]["spirvBytes"]);
   const ProgramResult both = kernels.run({kernels.scene(), "--all-kernels", "--kernel", "wavefront"});
   CHECK(both.exitCode == 1);
   CHECK_THAT(both.err, Contains("--all-kernels and --kernel exclude each other"));
