@@ -366,13 +366,13 @@ TEST_CASE("a table that a ray almost in its plane meets far away is behind what 
       // would meet the table at x = 100, and a lamp stands at x = 20.
       SceneBuilder b;
       b.view({-50, 0, 2e-4f}, {50, 0, -2e-4f}, {0, 0, 1}, 1e-5f);
-      b.material(glassMaterial(vec3(1), 1)).triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
+      b.material(clearGlass(1, true)).triangle({-1000, -1000, 0}, {1000, -1000, 0}, {0, 1000, 0});
       b.material(diffuseMaterial(vec3(0)));
       b.quad({10, -100, -4e-4f}, {900, -100, -4e-4f}, {900, 100, -4e-4f}, {10, 100, -4e-4f});
       b.box({10, 200, -1}, {900, 300, -4e-4f});
       b.material(diffuseMaterial(vec3(0), vec3(0.5f)));
       b.quad({20, -50, -1}, {20, 50, -1}, {20, 50, 1}, {20, -50, 1});
-      CHECK(meanLuminance(renderScene(b.scene, settings).film) == Approx(0.5));
+      CHECK(meanLuminance(renderScene(b.scene, settings).film) == Approx(0.5).epsilon(0.01));
     }
   });
 }
