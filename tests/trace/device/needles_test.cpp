@@ -152,3 +152,22 @@ TEST_CASE("needles of instances are hit at the same distance in every structure"
   }
   requireEqualHits(b.scene, raysTo(triangles, random, kRays));
 }
+
+TEST_CASE("rays do not hit tiny triangles that are far beside them") {
+  test::RandomMaps random(3);
+  test::SceneBuilder b;
+  b.material(test::diffuseMaterial(glm::vec3(0.5f)));
+  for (int i = 0; i < 200; ++i) {
+    const dvec3 middle(random.number(20, 60), 100, random.number(-20, 20));
+    const auto corner = [&] { return glm::vec3(middle + random.point(1e-5)); };
+    const glm::vec3 p0 = corner(), p1 = corner(), p2 = corner();
+    b.triangle(p0, p1, p2);
+  }
+  std::vector<gpu::CastRay> rays(20000);
+  for (gpu::CastRay& ray : rays) {
+    ray.originLimit = glm::vec4(glm::vec3(random.point(1)), 1e30f);
+    ray.direction = glm::vec4(glm::normalize(glm::vec3(dvec3(1, 0, 0) + 0.3 * random.point(1))), 0);
+  }
+  vulkan::Device device = openTestDevice();
+  CHECK(search(device, b.scene, rays, {"list", render::AccelKind::none}).met == 0);
+}
