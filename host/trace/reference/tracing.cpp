@@ -76,8 +76,8 @@ struct HitDistance {
     return hitsAtOnce ? kAtOnce : kNoHit;
   }
 
-  // Returns the line that meets what is hit at once in the plane of the ray's origin. That of the ray may meet a surface
-  // in this plane anywhere if it lies almost in the plane.
+  // Returns the line that meets what is hit at once in the plane of the ray's origin. That of the ray may meet a
+  // surface in this plane anywhere if it lies almost in the plane.
   Ray normalAtOrigin() const { return {ray.origin, ray.originNormal}; }
   bool isInPlaneOfOrigin(const FlatSurface& surface) const {
     const std::optional<FlatSurface> start = flatOrigin(*origin, ray);
