@@ -163,7 +163,7 @@ class Machine:
         except subprocess.TimeoutExpired:
             return None, f"not finished after {self.options.timeout} s"
         if done.returncode != 0:
-            return None, f"{done.stderr.strip()}\nexit code {done.returncode}"
+            return None, f"exit code {done.returncode}\n{done.stderr.strip()}"
         return json.loads(done.stdout), done.stderr
 
     def keep_failure(self, gpu, case, text):
@@ -211,16 +211,17 @@ def compile_all(options):
             if options.reports:
                 options.reports.mkdir(parents=True, exist_ok=True)
                 (options.reports / f"{gpu.name}.json").write_text(json.dumps(result, indent=1) + "\n")
-            print(f"{gpu.name}: {result['device']}, {result['driver']}: {summary_of(result)}", flush=True)
-            for notice, count in sorted(result["notices"].items()):
-                print(f"  the driver prints {count} times: {notice}", flush=True)
+            print_summary(gpu.name, result)
     return reports
 
 
-def summary_of(result):
+def print_summary(gpu, result):
     failed = sum(rows is None for rows in result["cases"].values())
     kernels = sum(len(rows or []) for rows in result["cases"].values())
-    return f"{kernels} kernels of {len(result['cases'])} scenes compiled, {failed} scenes failed"
+    print(f"{gpu}: {result['device']}, {result['driver']}: {kernels} kernels of {len(result['cases'])} scenes compiled, "
+          f"{failed} scenes failed", flush=True)
+    for notice, count in sorted(result["notices"].items()):
+        print(f"  the driver prints {count} times: {notice}", flush=True)
 
 
 def chosen_gpus(options):
