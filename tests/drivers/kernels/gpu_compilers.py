@@ -128,7 +128,7 @@ class Machine:
         cases = [Case(scene.name, scene, [], True) for scene in sorted(scenes.glob("*.p3f"))]
         cases += [Case(" ".join([name, *words]), scenes / name, words, True) for name, words in VARIANTS]
         for kind, size, words in GENERATED:
-            scene = scenes / f"{kind}.glb"
+            scene = scenes / f"{kind}.gltf"
             command = [str(self.options.program), "generate", kind, "--size", str(size), "-q", "-o", str(scene)]
             subprocess.run(command, check=True)
             cases.append(Case(kind, scene, words, True))
