@@ -2,6 +2,7 @@
 #include "host/drivers/conformance/variant_shrink.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 

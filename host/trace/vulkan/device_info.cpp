@@ -2,6 +2,7 @@
 #include "host/trace/vulkan/device_info.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <string_view>

@@ -1,4 +1,7 @@
 // The values of options: what is accepted, and how it is printed.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
