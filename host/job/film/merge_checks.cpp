@@ -51,7 +51,7 @@ void requireMergeable(const MergePart& part) {
       clauses.push_back(fmt::format("{} has {}", part.file.string(), boxText(box)));
     }
   }
-  throw FileError(fmt::format("cannot merge: {}, and {}, which overlap", clauses[0], clauses[1]));
+  throw FileError(fmt::format("cannot merge: {}, and {}, which overlap", clauses.at(0), clauses.at(1)));
 }
 
 void requireDisjoint(const std::vector<MergePart>& parts) {
