@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the missing packages of cmake/packages.txt on Debian 12, 13 or unstable, configures, builds, and then
+# Installs the missing packages of cmake/packages.txt on Debian 12 or 13, configures, builds, and then
 #   sh cmake/bootstrap.sh test [ARGUMENTS]   runs all tests (arguments go to ctest)
 #   sh cmake/bootstrap.sh ARGUMENTS          runs candela with these arguments
 # The environment may choose a preset of CMakePresets.json (CANDELA_PRESET, default: release) and, for the first build,
