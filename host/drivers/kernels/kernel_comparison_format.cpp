@@ -7,6 +7,7 @@
 #include "host/base/report_head.h"
 #include "host/drivers/kernels/kernel_comparison.h"
 #include "host/drivers/kernels/kernel_report.h"
+#include "host/measure/bench/comparison_text.h"
 #include "host/measure/bench/text_table.h"
 
 namespace candela::kernels {
@@ -40,27 +41,21 @@ const char* wordFor(RowState state) {
   return "another scene";
 }
 
-std::string changeText(const FigureChange& change) {
-  if (!change.oldValue || !change.newValue || *change.oldValue == 0) return "";
-  return fmt::format("{:+.1f} %", 100 * (*change.newValue / *change.oldValue - 1));
-}
-
 bench::TextTable tableOf(const KernelComparison& comparison) {
   bench::TextTable table{{"kernel", "figure", "old", "new", "change", "verdict"}, {}};
   for (const ComparedRow& row : comparison.rows) {
     if (row.state != RowState::compared) table.rows.push_back({row.name, "", "", "", "", wordFor(row.state)});
     for (const FigureChange& change : row.changes) {
       table.rows.push_back({row.name, change.figure->title, figureText(*change.figure, change.oldValue),
-                            figureText(*change.figure, change.newValue), changeText(change), wordFor(change.verdict)});
+                            figureText(*change.figure, change.newValue),
+                            bench::changeText(change.oldValue, change.newValue), wordFor(change.verdict)});
     }
   }
   return table;
 }
 
 std::string headline(const KernelComparison& comparison) {
-  std::string text = comparison.oldDevice == comparison.newDevice
-                         ? comparison.newDevice
-                         : comparison.oldDevice + " before, now " + comparison.newDevice;
+  std::string text = bench::devicesText(comparison.oldDevice, comparison.newDevice);
   if (!comparison.isOneDriver)
     text += "\nThe drivers have different units, so that only figures that all drivers share are compared.";
   return fmt::format("{}\n{}", text,

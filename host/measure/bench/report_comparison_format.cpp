@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "host/base/report_head.h"
+#include "host/measure/bench/comparison_text.h"
 #include "host/measure/bench/report_comparison.h"
 #include "host/measure/bench/text_table.h"
 
@@ -33,25 +34,18 @@ const char* wordFor(RowVerdict verdict) {
 
 std::string scoreText(const std::optional<double>& score) { return score ? fmt::format("{:.3f}", *score) : ""; }
 
-std::string changeText(const ComparedRow& row) {
-  if (!row.oldScore || !row.newScore || *row.oldScore <= 0) return "";
-  return fmt::format("{:+.1f} %", 100 * (*row.newScore / *row.oldScore - 1));
-}
-
 TextTable tableOf(const ReportComparison& comparison) {
   TextTable table;
   table.header = {"row", "old Mrays/s", "new Mrays/s", "change", "spread", "verdict"};
   for (const ComparedRow& row : comparison.rows) {
-    table.rows.push_back({row.name, scoreText(row.oldScore), scoreText(row.newScore), changeText(row),
-                          fmt::format("{:.0f} %", 100 * row.spread), wordFor(row.verdict)});
+    table.rows.push_back({row.name, scoreText(row.oldScore), scoreText(row.newScore),
+                          changeText(row.oldScore, row.newScore), fmt::format("{:.0f} %", 100 * row.spread),
+                          wordFor(row.verdict)});
   }
   return table;
 }
 
 std::string headline(const ReportComparison& comparison) {
-  const std::string devices = comparison.oldDevice == comparison.newDevice
-                                  ? comparison.newDevice
-                                  : comparison.oldDevice + " before, now " + comparison.newDevice;
   const auto regressions = std::count_if(comparison.rows.begin(), comparison.rows.end(), isRegression);
   const auto undecided = std::ranges::count(comparison.rows, RowVerdict::undecided, &ComparedRow::verdict);
   const std::string hint = undecided == 0 ? ""
@@ -59,8 +53,9 @@ std::string headline(const ReportComparison& comparison) {
                                                 "; {} undecided, since the change is within the spread of the "
                                                 "runs: measure both reports with more repetitions",
                                                 undecided);
-  return fmt::format("{}\n{} of {} rows slower by more than {:.3g} %, or missing{}", devices, regressions,
-                     comparison.rows.size(), 100 * comparison.threshold, hint);
+  return fmt::format("{}\n{} of {} rows slower by more than {:.3g} %, or missing{}",
+                     devicesText(comparison.oldDevice, comparison.newDevice), regressions, comparison.rows.size(),
+                     100 * comparison.threshold, hint);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "host/trace/vulkan/describe.h"
 #include "host/trace/vulkan/device_choice.h"
 #include "host/trace/vulkan/instance.h"
+#include "host/trace/vulkan/memory.h"
 #include "host/trace/vulkan/stand_in.h"
 #include "host/trace/vulkan/vulkan_errors.h"
 
@@ -45,21 +46,13 @@ std::uint64_t deviceLocalBytes(const vk::raii::PhysicalDevice& device) {
   return bytes;
 }
 
-bool hasMappedMemory(const vk::raii::PhysicalDevice& device) {
-  constexpr vk::MemoryPropertyFlags kMapped = vk::MemoryPropertyFlagBits::eHostVisible |
-                                              vk::MemoryPropertyFlagBits::eHostCoherent;
-  const vk::PhysicalDeviceMemoryProperties memory = device.getMemoryProperties();
-  return std::any_of(memory.memoryTypes.begin(), memory.memoryTypes.begin() + memory.memoryTypeCount,
-                     [kMapped](const vk::MemoryType& type) { return (type.propertyFlags & kMapped) == kMapped; });
-}
-
 /// Returns why a device with a compute queue cannot render; empty if it can.
 std::string whyItRunsNothing(const vk::raii::PhysicalDevice& device, const DeviceInfo& info) {
   const std::string standIn = info.isSoftware() ? "" : standInFor(info.name, loadedLibraries());
   if (!standIn.empty())
     return fmt::format("there is no such GPU: {} stands in for it, which compiles kernels and executes nothing",
                        standIn);
-  if (hasMappedMemory(device)) return "";
+  if (hasHostMemory(device.getMemoryProperties())) return "";
   return "it has no memory that the host can map, so that it only compiles kernels";
 }
 

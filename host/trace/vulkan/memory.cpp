@@ -70,6 +70,10 @@ vk::raii::DeviceMemory tryAllocate(const Device::Impl& device, std::uint64_t byt
 
 }  // namespace
 
+bool hasHostMemory(const vk::PhysicalDeviceMemoryProperties& memory) {
+  return !suitableTypes(memory, ~std::uint32_t{0}, MemoryPreference::host).empty();
+}
+
 RawBuffer allocate(const Device::Impl& device, std::uint64_t bytes, vk::BufferUsageFlags usage,
                    MemoryPreference preference) {
   const vk::PhysicalDeviceMemoryProperties& memory = device.memoryProperties;

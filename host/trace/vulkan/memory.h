@@ -22,6 +22,9 @@ struct RawBuffer {
   bool isInSystemMemory = false;  ///< device memory was preferred, but had no room
 };
 
+/// Returns whether a device has memory that MemoryPreference::host suits.
+bool hasHostMemory(const vk::PhysicalDeviceMemoryProperties& memory);
+
 /// Tries the suitable memory types in the order of `preference`. Throws OutOfMemoryError.
 RawBuffer allocate(const Device::Impl& device, std::uint64_t bytes, vk::BufferUsageFlags usage,
                    MemoryPreference preference);

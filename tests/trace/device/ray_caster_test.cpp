@@ -8,6 +8,7 @@
 
 #include "tests/formats/loading/triangles.h"
 #include "tests/scene/generate/generated_text.h"
+#include "tests/trace/device/cast_words.h"
 #include "tests/trace/render/render_support.h"
 #include "tests/trace/vulkan_support/test_device.h"
 
@@ -21,17 +22,6 @@ struct Layout {
   render::BvhLayout layout;
   render::SceneLoads loads;
 };
-
-using Words = std::vector<std::array<std::uint32_t, 2>>;
-
-// Distance and primitive of each ray's hit; of shadow rays whether they are occluded.
-Words wordsOf(RayCaster& caster, const RaySets& sets, std::uint32_t kind) {
-  caster.load(sets[kind], kind == gpu::kShadowRay);
-  caster.trace();
-  Words words;
-  for (const gpu::CastHit& hit : caster.hits()) words.push_back({hit.found.x, hit.found.y});
-  return words;
-}
 
 scene::Scene scaledTriangles(scene::Scene scene, float factor) {
   for (scene::Mesh& mesh : scene.meshes) {
@@ -53,7 +43,7 @@ TEST_CASE("rays alone have the same hits with every layout and buffer type, and 
   const scene::Scene scene = GENERATE(true, false) ? loadTestScene("primitives.p3f") : loadSpdScene("balls_2.nff");
   render::RenderSettings settings = squareSettings(48, 1);
   std::optional<RaySets> sets;
-  std::array<Words, gpu::kRayKindCount> expected;
+  std::array<CastWords, gpu::kRayKindCount> expected;
   for (const Layout& layout :
        {Layout{render::AccelKind::none, render::BvhLayout::automatic, render::SceneLoads::storage},
         Layout{render::AccelKind::bvh, render::BvhLayout::cwbvh, render::SceneLoads::texel},
@@ -66,7 +56,7 @@ TEST_CASE("rays alone have the same hits with every layout and buffer type, and 
     REQUIRE((*sets)[gpu::kPrimaryRay].size() == 48 * 48);
     for (std::uint32_t kind = 0; kind < gpu::kRayKindCount; ++kind) {
       REQUIRE((*sets)[kind].size() > 100);
-      const Words found = wordsOf(caster, *sets, kind);
+      const CastWords found = castWords(caster, (*sets)[kind], kind == gpu::kShadowRay);
       if (expected[kind].empty()) expected[kind] = found;
       CHECK(found == expected[kind]);
     }
