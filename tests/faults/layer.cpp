@@ -193,7 +193,8 @@ VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getDeviceProcAddr(VkDevice device, cons
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL getInstanceProcAddr(VkInstance instance, const char* name) {
   const PFN_vkVoidFunction hook = instanceHook(name);
-  if (instance == VK_NULL_HANDLE) return hook;
+  // The loader asks the first layer for vkCreateInstance with an instance that does not exist yet.
+  if (instance == VK_NULL_HANDLE || std::string_view(name) == "vkCreateInstance") return hook;
   const PFN_vkVoidFunction next = nexts.of(instance).instance(instance, name);
   return hook != nullptr && next != nullptr ? hook : next;
 }

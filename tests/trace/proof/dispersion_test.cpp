@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "tests/trace/proof/hemisphere.h"
 #include "tests/trace/proof/numbers.h"
@@ -84,23 +85,28 @@ TEST_CASE("each channel of a surface with dispersion has the value of its own in
   const std::vector<vec3> first = randomNumbers(3000, 401), second = randomNumbers(3000, 402);
   for (std::uint32_t surface = 0; surface < surfacesWithDispersion().size(); ++surface) {
     int transmitted = 0;
+    std::vector<DirectionPair> pairs;  // four for each pair of directions, in one dispatch
     for (std::size_t i = 0; i < first.size(); ++i) {
-      const vec3& beta = kThroughputs[i % kThroughputs.size()];
       const dvec3 wo = directionAt(0.05 + 0.95 * first[i].x, first[i].y);
       const dvec3 wi = directionAt(2 * second[i].x - 1, second[i].y);
-      const bool outside = first[i].z < 0.5f;
-      std::vector<DirectionPair> pairs;
-      for (std::uint32_t k = 0; k < 4; ++k) pairs.push_back({4 * surface + k, wo, wi, outside, {beta, 0.5f}});
-      const std::vector<ScatterValue> values = leaves.evaluate(pairs);
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        pairs.push_back({4 * surface + k, wo, wi, first[i].z < 0.5f, {kThroughputs[i % kThroughputs.size()], 0.5f}});
+      }
+    }
+    const std::vector<ScatterValue> all = leaves.evaluate(pairs);
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      const vec3& beta = kThroughputs[i % kThroughputs.size()];
+      const std::span values = std::span(all).subspan(4 * i, 4);
+      const DirectionPair& pair = pairs[4 * i];
       double pdf = 0;
-      CAPTURE(surface, wo.z, wi.z, outside);
+      CAPTURE(surface, pair.wo.z, pair.wi.z, pair.outside);
       for (int c = 0; c < 3; ++c) {
         const ScatterValue& channel = values[static_cast<std::size_t>(c) + 1];
         pdf += beta[c] / sumOf(beta) * channel.pdf;
         CHECK(values[0].f[c] == Approx(channel.f[c]).epsilon(3000 * kRounding).margin(1e-6));
       }
       CHECK(values[0].pdf == Approx(pdf).epsilon(3000 * kRounding).margin(1e-6));
-      transmitted += wi.z < 0 && pdf > 1e-3 ? 1 : 0;
+      transmitted += pair.wi.z < 0 && pdf > 1e-3 ? 1 : 0;
     }
     CHECK(transmitted > 80);
   }
@@ -148,10 +154,12 @@ TEST_CASE("the channel is chosen in proportion to the throughput, and refracts b
                                     {{0, 0, 0}, 0.001f, 1}, {{0, 0, 0}, 0.999f, 1}};
   for (const Choice& choice : choices) {
     const dvec3 wo = directionAt(0.8, 0.125);
-    dvec3 direction(0);  // of 1,000 microfacets, whose slopes cancel
+    std::vector<ScatterQuery> queries;  // of 1,000 microfacets, whose slopes cancel
     for (const vec3& u : latticeNumbers(1000)) {
-      const ScatterQuery query{0, wo, {0.999f, u.y, u.z} /* transmits */, true, {choice.throughput, choice.number}};
-      const Scattered sample = leaves.sample(std::vector<ScatterQuery>{query}).front();
+      queries.push_back({0, wo, {0.999f, u.y, u.z} /* transmits */, true, {choice.throughput, choice.number}});
+    }
+    dvec3 direction(0);
+    for (const Scattered& sample : leaves.sample(queries)) {
       if (sample.lobe == render::Lobe::refract) direction += sample.wi;
     }
     const double expected = 0.6 / iorOf(kIor, kDispersion, choice.channel);  // sine of the refracted direction
