@@ -93,7 +93,7 @@ void descendToLeaf(BoxRay ray, float limit, inout Work work) {
   while (!finished && current.count == 0u) {
     visitNode(ray, limit);
     work.steps += 1u;
-    if (finished || current.count != 0u) break;
+    if (kMasksLanes && (finished || current.count != 0u)) break;
   }
   work.truncated += current.count == 0u ? unfinished : 0u;
 }
@@ -107,7 +107,7 @@ void closestInHierarchy(inout Hit hit, Ray ray, inout Work work) {
       closestInRange(hit, ray, current.reference, current.reference + current.count, kFinitePrimitive, work);
       popSubtree();
     }
-    if (finished) break;
+    if (kMasksLanes && finished) break;
   }
   work.truncated += unfinished;
 }
@@ -122,7 +122,7 @@ bool anyInHierarchy(Ray ray, RayEnd end, inout Work work) {
       blocked = anyInRange(ray, current.reference, current.reference + current.count, end, kFinitePrimitive, work);
       popSubtree();
     }
-    if (finished || blocked) break;
+    if (kMasksLanes && (finished || blocked)) break;
   }
   work.truncated += blocked ? 0u : unfinished;
   return blocked;

@@ -31,5 +31,5 @@ void main() {
     Hit hit = traceClosest(ray, work);
     found = uvec2(floatBitsToUint(hit.t), hit.t < kNoHit ? hit.index : kNoPrimitive);
   }
-  hits[i].found = uvec4(found, work.steps, work.truncated);
+  hits[i].found = uvec4(found, work.steps, kLimitsLoops ? work.truncated : 0u);
 }

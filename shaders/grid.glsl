@@ -150,7 +150,7 @@ void closestInGrid(inout Hit hit, Ray ray, inout Work work) {
       uint slot = takeItem(work);
       keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot, 0u);
     }
-    if (traversal.finished) break;
+    if (kMasksLanes && traversal.finished) break;
   }
   work.truncated += traversal.unfinished;
 }
@@ -164,7 +164,7 @@ bool anyInGrid(Ray ray, RayEnd end, inout Work work) {
       uint slot = takeItem(work);
       blocked = occludes(ray, slot, end, kFinitePrimitive);
     }
-    if (traversal.finished || blocked) break;
+    if (kMasksLanes && (traversal.finished || blocked)) break;
   }
   work.truncated += blocked ? 0u : traversal.unfinished;
   return blocked;

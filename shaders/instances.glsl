@@ -74,13 +74,13 @@ void closestInInstances(inout Hit hit, Ray ray, inout Work work) {
         uvec4 rows[3] = placedRows(visit.placement, rowsOfSlot(slot));
         keepCloser(hit, comparedHit(visit.ray, slot, rows, rows[2].w, kFinitePrimitive), slot, visit.instance);
         work.steps += 1u;
-        if (leafHits == 0u) break;
+        if (kMasksLanes && leafHits == 0u) break;
       }
       if (isTraversed()) leaveInstance(visit, wide, ray);
     } else if (leafHits != 0u) {
       enterInstance(visit, wide, ray, takeLeafHit());
     }
-    if (isTraversed() && !insideInstance) break;
+    if (kMasksLanes && isTraversed() && !insideInstance) break;
   }
   work.truncated += wideUnfinished;
 }
@@ -98,13 +98,13 @@ bool anyInInstances(Ray ray, RayEnd end, inout Work work) {
         uvec4 rows[3] = placedRows(visit.placement, rowsOfSlot(slot));
         blocked = rowsHide(visit.ray, slot, rows, rows[2].w, end, kFinitePrimitive);
         work.steps += 1u;
-        if (leafHits == 0u || blocked) break;
+        if (kMasksLanes && (leafHits == 0u || blocked)) break;
       }
       if (isTraversed()) leaveInstance(visit, wide, ray);
     } else if (leafHits != 0u) {
       enterInstance(visit, wide, ray, takeLeafHit());
     }
-    if (isTraversed() && !insideInstance || blocked) break;
+    if (kMasksLanes && (isTraversed() && !insideInstance || blocked)) break;
   }
   work.truncated += blocked ? 0u : wideUnfinished;
   return blocked;

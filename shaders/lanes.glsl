@@ -60,9 +60,9 @@ void advancePixel(uvec2 inRegion) {
     segments += 1u;
     working = sampleIndex < sampleEnd && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
-    if (!working) break;
+    if (kMasksLanes && !working) break;
   }
-  uint truncated = work.truncated + cutShort;
+  uint truncated = kLimitsLoops ? work.truncated + cutShort : 0u;
   film[pixelIndex] = sums;
   if (kLayerSums != 0u) storeLayers(pixelIndex);
   pathStates[pixelIndex] = packPath(path, sampleIndex,

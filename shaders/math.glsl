@@ -2,6 +2,7 @@
 // built-in functions may be 2^-11 or more). Relative errors are a few units in the last place.
 #ifndef CANDELA_MATH_GLSL
 #define CANDELA_MATH_GLSL
+#include "options.glsl"
 
 const float kPi = 3.14159265358979;
 const float kLargestFloat = 3.402823e38;
@@ -11,8 +12,8 @@ const uint kNotANumber = 0x7fc00000u;
 bool isFinite(float value) { return (floatBitsToUint(value) & 0x7f800000u) != 0x7f800000u; }
 
 // Maximum and minimum of two numbers, neither of which is NaN: docs/driver-workarounds.md section 8.
-float larger(float a, float b) { return a > b ? a : b; }
-float smaller(float a, float b) { return a < b ? a : b; }
+float larger(float a, float b) { return kMasksLanes ? a > b ? a : b : max(a, b); }
+float smaller(float a, float b) { return kMasksLanes ? a < b ? a : b : min(a, b); }
 
 // (cos x, sin x) for |x| <= pi/4: Taylor series, truncated below 2^-26.
 vec2 cosSin(float x) {

@@ -30,6 +30,8 @@ layout(constant_id = kSpecStackSize) const uint kStackSize = 64u;
 layout(constant_id = kSpecUniformSlots) const uint kUniformSlots = 0u;
 layout(constant_id = kSpecFirstMarkedSlot) const uint kFirstMarkedSlot = 0u;
 layout(constant_id = kSpecRowsAhead) const bool kRowsAhead = false;
+layout(constant_id = kSpecMasksLanes) const bool kMasksLanes = true;
+layout(constant_id = kSpecLimitsLoops) const bool kLimitsLoops = true;
 layout(constant_id = kSpecAreaLights) const bool kHasAreaLights = true;
 layout(constant_id = kSpecView) const uint kView = kViewNone;
 layout(constant_id = kSpecUniformKinds + 0u) const uint kKinds0 = 0u;

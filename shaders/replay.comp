@@ -54,9 +54,9 @@ void main() {
     segments += 1u;
     working = continues && segments < dispatch.maxSegments && work.steps + segments < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
-    if (!working) break;
+    if (kMasksLanes && !working) break;
   }
-  uint truncated = work.truncated + cutShort;
+  uint truncated = kLimitsLoops ? work.truncated + cutShort : 0u;
   pathState = packPath(path, sampleIndex, state.counts);
   counters.truncated += truncated;
   trace.cameraNumbers = sampleGroup(key, 0u);

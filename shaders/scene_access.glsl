@@ -103,7 +103,7 @@ uint firstThresholdAbove(uint number, uint first, uint stride, uint component, u
     low = right ? middle + 1u : low;
     high = right ? high : middle;
     cutShort = low < high ? 1u : 0u;
-    if (low >= high) break;
+    if (kMasksLanes && low >= high) break;
   }
   truncated += cutShort;
   return low;

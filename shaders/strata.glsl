@@ -38,7 +38,7 @@ uint permute(uint i, uint count, uint key) {
     i &= w;
     i ^= i >> 5;
     inside = i < count;
-    if (inside) break;  // docs/driver-workarounds.md section 3
+    if (kMasksLanes && inside) break;  // docs/driver-workarounds.md section 3
   }
   return (i % count + key % count) % count;
 }

@@ -35,7 +35,7 @@ void closestInRange(inout Hit hit, Ray ray, uint first, uint end, uint known, in
     keepCloser(hit, hitPrimitive(ray, slot, known), slot, 0u);
     ++slot;
     cutShort = slot < end ? 1u : 0u;
-    if (slot >= end) break;
+    if (kMasksLanes && slot >= end) break;
   }
   work.steps += slot - first;
   work.truncated += cutShort;
@@ -49,7 +49,7 @@ bool anyInRange(Ray ray, uint first, uint end, RayEnd rayEnd, uint known, inout 
     blocked = occludes(ray, slot, rayEnd, known);
     ++slot;
     cutShort = slot < end && !blocked ? 1u : 0u;
-    if (slot >= end || blocked) break;
+    if (kMasksLanes && (slot >= end || blocked)) break;
   }
   work.steps += slot - first;
   work.truncated += cutShort;

@@ -41,7 +41,7 @@ void main() {
   if (changesLayers) storeLayers(pixelIndex);
   waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
                                     PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
-  if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
+  if (kLimitsLoops && work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kHasVolumes && volumeFaults > 0u) atomicAdd(counters.volumeFaults, volumeFaults);
   if (kRecordPaths || kHasTransparency || kCountsHits) {
     shadedDepthOf(waves[pixelIndex]) = decisions.index == kRecordMiss ? depth - 1u : depth;

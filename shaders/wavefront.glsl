@@ -50,7 +50,7 @@ uvec2 pixelAt(uint pixelIndex) {
 
 void addSteps(uint pixelIndex, Work work) {
   waves[pixelIndex].path.counts.steps += work.steps;
-  if (work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
+  if (kLimitsLoops && work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
 }
 
 // Returns the offset in `words` of a path record; the records follow the queues: see `records` in lanes.glsl.

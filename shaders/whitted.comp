@@ -137,9 +137,9 @@ void main() {
     working = sampleIndex < sampleEnd && segments < dispatch.maxSegments &&
               work.steps + segments + lightTurns < dispatch.maxIterations;
     cutShort = working ? 1u : 0u;
-    if (!working) break;
+    if (kMasksLanes && !working) break;
   }
-  uint truncated = work.truncated + cutShort;
+  uint truncated = kLimitsLoops ? work.truncated + cutShort : 0u;
   film[pixelIndex] = sums;
   storeTree(treeRow, TreeState(uvec4(floatBitsToUint(tree.ray.origin), tree.ray.originSlot),
                                floatBitsToUint(vec4(tree.ray.direction, tree.weight)),

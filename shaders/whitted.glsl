@@ -112,7 +112,7 @@ vec3 directLight(inout Tree tree, SampleKey key, Surface surface, Normals normal
     decisions.visibleLights ^= shadow == kShadowVisible ? 1u << (tree.nextLight % kRecordedLights) : 0u;
     tree.nextLight += 1u;
     cutShort = tree.nextLight < end ? 1u : 0u;
-    if (tree.nextLight >= end) break;
+    if (kMasksLanes && tree.nextLight >= end) break;
   }
   work.truncated += cutShort;
   return sum;

@@ -7,11 +7,13 @@
 // A ray in the form that box tests need. As in BoxRay, the part of the boxes' padding that grows with the ray's own
 // coordinates is added to the origins.
 struct WideRay {
-  vec3 nearOrigin;  // subtracted from the near planes
-  vec3 farOrigin;
+  vec3 origin;
+  float padding;
   vec3 inverse;
   bvec3 backward;   // components of the direction that are negative
   uint octant;      // `backward` as bits
+  vec3 nearOrigin;  // subtracted from the near planes
+  vec3 farOrigin;
 };
 
 // The product of a plane's index and an inverse direction must not overflow, because it could cancel against its
@@ -20,6 +22,8 @@ const float kMinComponent = 8.3e-25;
 
 WideRay wideRay(vec3 origin, vec3 direction, float padding) {
   WideRay result;
+  result.origin = origin;
+  result.padding = padding;
   result.backward = lessThan(direction, vec3(0.0));
   vec3 pad = mix(vec3(1.0), vec3(-1.0), result.backward) * padding;
   result.nearOrigin = origin + pad;
@@ -30,6 +34,12 @@ WideRay wideRay(vec3 origin, vec3 direction, float padding) {
   result.octant = bits.x | bits.y | bits.z;
   return result;
 }
+
+// The members of a ray that follow from others. GPUs compute them for each node, and have registers for more rays.
+bvec3 backwardOf(WideRay ray) { return kMasksLanes ? ray.backward : lessThan(ray.inverse, vec3(0.0)); }
+vec3 padOf(WideRay ray) { return mix(vec3(1.0), vec3(-1.0), backwardOf(ray)) * ray.padding; }
+vec3 nearOriginOf(WideRay ray) { return kMasksLanes ? ray.nearOrigin : ray.origin + padOf(ray); }
+vec3 farOriginOf(WideRay ray) { return kMasksLanes ? ray.farOrigin : ray.origin - padOf(ray); }
 
 float paddingOf(vec3 origin) { return largest(abs(origin)) * (1.0 / 524288.0); }
 
@@ -42,11 +52,17 @@ struct PlaneDistances {
   vec3 far;
 };
 
+// A byte of each word. Lanes of a processor convert signed integers faster, GPUs have an instruction for bytes.
+vec3 planeIndices(uvec3 words, uint byte) {
+  uvec3 indices = (words >> (8u * byte)) & 255u;
+  return kMasksLanes ? vec3(ivec3(indices)) : vec3(indices);
+}
+
 // Returns bit i for each child i that the ray intersects before `limit`. The words contain the planes of four children
 // for each axis.
 uint hitOne(uvec3 near, uvec3 far, uint byte, PlaneDistances at, float limit) {
-  vec3 t0 = vec3(ivec3((near >> (8u * byte)) & 255u)) * at.step + at.near;
-  vec3 t1 = vec3(ivec3((far >> (8u * byte)) & 255u)) * at.step + at.far;
+  vec3 t0 = planeIndices(near, byte) * at.step + at.near;
+  vec3 t1 = planeIndices(far, byte) * at.step + at.far;
   float entry = larger(larger(t0.x, t0.y), larger(t0.z, 0.0));
   float exit = smaller(smaller(t1.x, t1.y), smaller(t1.z, limit));
   return entry <= exit ? 1u << byte : 0u;
@@ -57,9 +73,12 @@ uint hitFour(uvec3 near, uvec3 far, PlaneDistances at, float limit) {
          hitOne(near, far, 3u, at, limit);
 }
 
-// Returns the index of the lowest bit that is set, by converting this power of two to a float and reading its exponent.
-// Not for 0 or bit 31.
-uint lowestBit(uint bits) { return (floatBitsToUint(float(int(bits & (~bits + 1u)))) >> 23) - 127u; }
+// Returns the index of the lowest bit that is set; of a masked lane, by converting this power of two to a float and
+// reading its exponent: docs/driver-workarounds.md section 16. Not for 0 or bit 31.
+uint lowestBit(uint bits) {
+  if (!kMasksLanes) return uint(findLSB(bits));
+  return (floatBitsToUint(float(int(bits & (~bits + 1u)))) >> 23) - 127u;
+}
 
 // Moves bit i of eight to i ^ octant: from the order of the children's indices to the order from near to far.
 uint fromNearToFar(uint bits, uint octant) {
@@ -92,7 +111,7 @@ uint stackFloor;  // words on the stack that belong to the outer BVH
 
 // The stack of words below the current block, the last one first, the rest 0. BVHs that need more words use the array
 // of bvh.glsl: docs/driver-workarounds.md section 7.
-const uint kWordsKept = 12u;
+const uint kWordsKept = kMasksLanes ? 12u : 0u;
 uvec4 kept0;
 uvec4 kept1;
 uvec4 kept2;
@@ -127,14 +146,15 @@ void visitWideNode(WideRay ray, float limit) {
   uvec4 highYz = sceneRow(row + 4u);
   vec3 origin = uintBitsToFloat(head.xyz);
   vec3 step = uintBitsToFloat((uvec3(head.w) << uvec3(23u, 15u, 7u)) & 0x7f800000u);
-  PlaneDistances at = PlaneDistances(step * ray.inverse, (origin - ray.nearOrigin) * ray.inverse,
-                                     (origin - ray.farOrigin) * ray.inverse);
+  PlaneDistances at = PlaneDistances(step * ray.inverse, (origin - nearOriginOf(ray)) * ray.inverse,
+                                     (origin - farOriginOf(ray)) * ray.inverse);
   uvec3 low0 = uvec3(lowXy.x, lowXy.z, lowZHighX.x);
   uvec3 low1 = uvec3(lowXy.y, lowXy.w, lowZHighX.y);
   uvec3 high0 = uvec3(lowZHighX.z, highYz.x, highYz.z);
   uvec3 high1 = uvec3(lowZHighX.w, highYz.y, highYz.w);
-  uint hits = hitFour(mix(low0, high0, ray.backward), mix(high0, low0, ray.backward), at, limit) |
-              (hitFour(mix(low1, high1, ray.backward), mix(high1, low1, ray.backward), at, limit) << 4);
+  bvec3 backward = backwardOf(ray);
+  uint hits = hitFour(mix(low0, high0, backward), mix(high0, low0, backward), at, limit) |
+              (hitFour(mix(low1, high1, backward), mix(high1, low1, backward), at, limit) << 4);
 
   uint inner = head.w >> 24;
   leafMask = links.z;
@@ -186,7 +206,7 @@ void descendToLeaves(WideRay ray, float limit, inout Work work) {
     nextBlock();
     noteWideEnd();
     work.steps += 1u;
-    if (leafHits != 0u || nonePending) break;
+    if (kMasksLanes && (leafHits != 0u || nonePending)) break;
   }
 }
 
@@ -207,9 +227,9 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
       uint slot = takeLeafHit();
       keepCloser(hit, hitPrimitive(ray, slot, kFinitePrimitive), slot, 0u);
       work.steps += 1u;
-      if (leafHits == 0u) break;
+      if (kMasksLanes && leafHits == 0u) break;
     }
-    if (nonePending) break;
+    if (kMasksLanes && nonePending) break;
   }
   work.truncated += wideUnfinished;
 }
@@ -224,9 +244,9 @@ bool anyInWideHierarchy(Ray ray, RayEnd end, inout Work work) {
       uint slot = takeLeafHit();
       blocked = occludes(ray, slot, end, kFinitePrimitive);
       work.steps += 1u;
-      if (leafHits == 0u || blocked) break;
+      if (kMasksLanes && (leafHits == 0u || blocked)) break;
     }
-    if (nonePending || blocked) break;
+    if (kMasksLanes && (nonePending || blocked)) break;
   }
   work.truncated += blocked ? 0u : wideUnfinished;
   return blocked;

@@ -72,5 +72,9 @@ CANDELA_CONST uint kViewDepth = 4u;
 CANDELA_CONST uint kViewId = 5u;
 CANDELA_CONST uint kViewCost = 6u;
 
+// The device: host/trace/device/code_form.h.
+CANDELA_CONST uint kSpecMasksLanes = 103u;
+CANDELA_CONST uint kSpecLimitsLoops = 104u;
+
 CANDELA_END
 #endif

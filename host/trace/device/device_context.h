@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "host/trace/device/code_form.h"
 #include "host/trace/device/pipeline_store.h"
 #include "host/trace/vulkan/device.h"
 
@@ -12,6 +13,7 @@ struct DeviceContext {
   vulkan::Device device;
   std::uint32_t
       loopLimit;  ///< loop iterations that the device executes in an invocation: host/trace/vulkan/loop_limit.h
+  CodeForm form;
   std::uint64_t maxBandBytes;  ///< maximum size of a band's largest buffer
   PipelineStore pipelines{};
 };

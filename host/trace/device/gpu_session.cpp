@@ -88,7 +88,7 @@ void GpuSession::describe() {
 }
 
 vulkan::PipelineOptions GpuSession::pipelineOptions() const {
-  return kernelOptions(shape_, settings_, deviceScene_->readsTexels(), sizeof(gpu::DispatchConstants));
+  return kernelOptions(context_->form, shape_, settings_, deviceScene_->readsTexels(), sizeof(gpu::DispatchConstants));
 }
 
 std::vector<vulkan::ComputePipeline> GpuSession::pipelinesOf(const Kernel& kernel) {

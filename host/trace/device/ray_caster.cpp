@@ -12,6 +12,7 @@
 #include "host/base/errors.h"
 #include "host/trace/device/specialise.h"
 #include "host/trace/device/workgroup.h"
+#include "host/trace/vulkan/loop_limit.h"
 #include "spirv/cast_rays.h"
 #include "spirv/make_rays.h"
 
@@ -57,7 +58,8 @@ std::vector<std::uint32_t> alongMortonCurve(const render::Extent& size) {
 vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv,
                                      const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                      bool texels, bool anyHit) {
-  vulkan::PipelineOptions options = kernelOptions(shape, settings, texels, sizeof(gpu::CastConstants));
+  const CodeForm form = codeFormOf(device.info(), vulkan::probeLoopLimit(device));
+  vulkan::PipelineOptions options = kernelOptions(form, shape, settings, texels, sizeof(gpu::CastConstants));
   options.specialisations.push_back({gpu::kSpecOcclusion, anyHit});
   return {device, spirv, options};
 }

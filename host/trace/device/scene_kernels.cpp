@@ -1,9 +1,9 @@
 // Chooses the kernels of a scene as a session does.
 #include "host/trace/device/scene_kernels.h"
 
+#include "host/trace/device/code_form.h"
 #include "host/trace/device/device_scene.h"
 #include "host/trace/device/loop_budget.h"
-#include "host/trace/device/small_scene_rule.h"
 #include "host/trace/device/specialise.h"
 #include "host/trace/device/wavefront.h"
 #include "host/trace/device/workgroup.h"
@@ -28,13 +28,13 @@ SceneKernels kernelsOf(const vulkan::DeviceInfo& info, const scene::Scene& scene
   std::vector<std::string> warnings;
   const flatten::FlatScene flat = flattenFor(info, vulkan::kUnlimitedIterations, scene, used, warnings);
   const render::SceneLoads loads = loadsFor(info, flat, used);
-  return {
-      .kernel = kernelFor(flat, used),
-      .options = kernelOptions(flat.shape, used, loads == render::SceneLoads::texel, sizeof(gpu::DispatchConstants)),
-      .structure = used.structure,
-      .layout = flat.shape.layout(),
-      .loads = loads,
-      .workgroup = used.execution.workgroupInUse()};
+  return {.kernel = kernelFor(flat, used),
+          .options = kernelOptions(codeFormOf(info, vulkan::kUnlimitedIterations), flat.shape, used,
+                                   loads == render::SceneLoads::texel, sizeof(gpu::DispatchConstants)),
+          .structure = used.structure,
+          .layout = flat.shape.layout(),
+          .loads = loads,
+          .workgroup = used.execution.workgroupInUse()};
 }
 
 std::string moduleName(const Kernel& kernel, std::size_t module) {

@@ -66,8 +66,8 @@ std::uint32_t viewOf(render::Integrator integrator) {
 
 }  // namespace
 
-std::vector<vulkan::Specialisation> specialise(const flatten::SceneShape& shape, const render::RenderSettings& settings,
-                                               bool texels) {
+std::vector<vulkan::Specialisation> specialise(const CodeForm& form, const flatten::SceneShape& shape,
+                                               const render::RenderSettings& settings, bool texels) {
   std::vector<vulkan::Specialisation> constants{
       {gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
       {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
@@ -92,7 +92,9 @@ std::vector<vulkan::Specialisation> specialise(const flatten::SceneShape& shape,
       {gpu::kSpecFirstMarkedSlot, shape.firstMarkedSlot},
       {gpu::kSpecRowsAhead, shape.rowsAhead},
       {gpu::kSpecAreaLights, settings.image.lightSize > 0},
-      {gpu::kSpecView, viewOf(settings.image.integrator)}};
+      {gpu::kSpecView, viewOf(settings.image.integrator)},
+      {gpu::kSpecMasksLanes, form.masksLanes},
+      {gpu::kSpecLimitsLoops, form.limitsLoops}};
   const flatten::SceneFeatures& has = shape.features;
 #define CANDELA_SPECIALISE(member, name, id) constants.push_back({id, has.member});
   CANDELA_FEATURES(CANDELA_SPECIALISE)
@@ -103,12 +105,13 @@ std::vector<vulkan::Specialisation> specialise(const flatten::SceneShape& shape,
   return constants;
 }
 
-vulkan::PipelineOptions kernelOptions(const flatten::SceneShape& shape, const render::RenderSettings& settings,
-                                      bool texels, std::uint32_t pushConstantBytes) {
+vulkan::PipelineOptions kernelOptions(const CodeForm& form, const flatten::SceneShape& shape,
+                                      const render::RenderSettings& settings, bool texels,
+                                      std::uint32_t pushConstantBytes) {
   using enum vulkan::BindingKind;
   return {.bindings = {storageBuffer, storageBuffer, storageBuffer, storageBuffer, uniformTexelBuffer, uniformBuffer},
           .pushConstantBytes = pushConstantBytes,
-          .specialisations = specialise(shape, settings, texels)};
+          .specialisations = specialise(form, shape, settings, texels)};
 }
 
 }  // namespace candela::device

@@ -63,7 +63,8 @@ TEST_CASE("the means of a film with a scale are those of its samples") {
 TEST_CASE("films in several bands, and those of the reference, are not on the device") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   vulkan::Device device = openTestDevice();
-  const auto banded = makeGpuRenderer(device, {.loopLimit = std::nullopt, .maxBandBytes = 64 << 10})
+  const auto banded = makeGpuRenderer(device,
+                                      {.loopLimit = std::nullopt, .form = std::nullopt, .maxBandBytes = 64 << 10})
                           ->prepare(scene, squareSettings(40, 1));
   banded->advance({0, 1}, {});
   const auto reference = reference::makeReferenceRenderer()->prepare(scene, squareSettings(40, 1));

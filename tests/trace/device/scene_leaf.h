@@ -8,6 +8,7 @@
 #include "host/trace/device/specialise.h"
 #include "host/trace/vulkan/binding_set.h"
 #include "host/trace/vulkan/compute_pipeline.h"
+#include "host/trace/vulkan/loop_limit.h"
 #include "tests/trace/reference/default_settings.h"
 #include "tests/trace/vulkan_support/test_device.h"
 
@@ -44,8 +45,9 @@ class SceneLeaf {
   }
 
  private:
-  static vulkan::PipelineOptions optionsFor(const flatten::SceneShape& shape, const render::RenderSettings& settings) {
-    return kernelOptions(shape, settings, false, 2 * sizeof(std::uint32_t));
+  vulkan::PipelineOptions optionsFor(const flatten::SceneShape& shape, const render::RenderSettings& settings) {
+    const CodeForm form = codeFormOf(device_.info(), vulkan::probeLoopLimit(device_));
+    return kernelOptions(form, shape, settings, false, 2 * sizeof(std::uint32_t));
   }
 
   vulkan::Device device_;

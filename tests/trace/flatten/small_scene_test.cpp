@@ -5,7 +5,7 @@
 
 #include "host/formats/load_scene.h"
 #include "host/formats/nff/nff_loader.h"
-#include "host/trace/device/small_scene_rule.h"
+#include "host/trace/device/code_form.h"
 #include "host/trace/flatten/flat_scene.h"
 #include "shaders/shared/scene_rows.h"
 #include "tests/trace/reference/default_settings.h"

@@ -57,7 +57,8 @@ TEST_CASE("a crop has the pixels of the full image, with Whitted's tracer and in
 
 TEST_CASE("a crop has the pixels of the full image, in bands and small tiles") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
-  const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .maxBandBytes = 8 << 10});
+  const auto renderer = makeGpuRenderer(testDevice(),
+                                        {.loopLimit = std::nullopt, .form = std::nullopt, .maxBandBytes = 8 << 10});
   render::RenderSettings settings = croppedSettings();
   const render::RenderResult full = renderOnDevice(scene, settings);
   settings.image.crop = kCrop;

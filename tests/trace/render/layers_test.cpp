@@ -104,7 +104,7 @@ TEST_CASE("layers have the film's samples where a session was stopped, and conti
   };
   SECTION("device") { check(testRenderer()); }
   SECTION("device, in bands") {
-    check(*makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .maxBandBytes = 64 << 10}));
+    check(*makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .form = std::nullopt, .maxBandBytes = 64 << 10}));
   }
   SECTION("reference") { check(*reference::makeReferenceRenderer()); }
 }

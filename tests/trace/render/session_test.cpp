@@ -24,7 +24,8 @@ TEST_CASE("a film and its counts do not depend on how the samples are split into
 TEST_CASE("a film is read from the device once after each change", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   for (const std::uint64_t bandBytes : {64 << 20, 64 << 10}) {
-    const auto renderer = makeGpuRenderer(testDevice(), {.loopLimit = std::nullopt, .maxBandBytes = bandBytes});
+    const auto renderer = makeGpuRenderer(testDevice(),
+                                          {.loopLimit = std::nullopt, .form = std::nullopt, .maxBandBytes = bandBytes});
     const std::unique_ptr<render::Session> session = renderer->prepare(scene, sessionSettings());
     double readBefore = 0;
     for (const std::uint32_t end : {3u, kSamples}) {

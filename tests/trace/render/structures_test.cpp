@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-#include "host/trace/device/small_scene_rule.h"
+#include "host/trace/device/code_form.h"
 #include "host/trace/vulkan/loop_limit.h"
 #include "shaders/shared/render_data.h"
 #include "tests/trace/render/render_support.h"

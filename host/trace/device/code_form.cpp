@@ -1,7 +1,14 @@
-// Tells the drivers apart on which a linear list was measured.
-#include "host/trace/device/small_scene_rule.h"
+// Tells devices apart by what they are.
+#include "host/trace/device/code_form.h"
+
+#include "host/trace/vulkan/loop_limit.h"
 
 namespace candela::device {
+
+CodeForm codeFormOf(const vulkan::DeviceInfo& info, std::uint32_t loopLimit) {
+  const bool isSoftware = info.isSoftware();
+  return {.masksLanes = isSoftware, .limitsLoops = isSoftware || loopLimit != vulkan::kUnlimitedIterations};
+}
 
 flatten::SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info) {
   // SwiftShader compiles every copy of an unrolled test, which took it minutes for eight spheres.

@@ -1,0 +1,25 @@
+// The form of the code that a device gets, which depends on what the device is. No form changes a bit of an image.
+#pragma once
+#include <cstdint>
+
+#include "host/trace/flatten/small_scene.h"
+#include "host/trace/vulkan/device_info.h"
+
+namespace candela::device {
+
+struct CodeForm {
+  /// The device is a processor: it executes the invocations of a subgroup as lanes of its vector registers, both sides
+  /// of every branch under masks, and branches of loops only at their ends. docs/driver-workarounds.md, sections 3, 7,
+  /// 8 and 16.
+  bool masksLanes = true;
+  /// The device may stop loops silently, so that kernels count the loops that it stopped: section 4.
+  bool limitsLoops = true;
+};
+
+/// `loopLimit` is the result of vulkan::probeLoopLimit().
+CodeForm codeFormOf(const vulkan::DeviceInfo& info, std::uint32_t loopLimit);
+
+/// Returns the rule as measured on lavapipe; for other devices, the cost of sixteen triangles.
+flatten::SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info);
+
+}  // namespace candela::device
