@@ -183,7 +183,8 @@ TEST_CASE("a render without a checkpoint leaves a film beside its output") {
 TEST_CASE("`--fallback cpu` finishes a render on the reference, and marks the film") {
   const Render render;
   const std::string film = render.folder.path("film.exr");
-  REQUIRE(render.run({"--samples", "0:4", "--checkpoint", film}).exitCode == 0);  // a GPU may write none before it fails
+  REQUIRE(render.run({"--samples", "0:4", "--checkpoint", film}).exitCode ==
+          0);  // a GPU may write none before it fails
   const ProgramResult result = render.run({"--checkpoint", film, "--resume", film, "--fallback", "cpu"},
                                           fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
   INFO(result.err);

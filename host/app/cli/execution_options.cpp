@@ -28,7 +28,7 @@ std::vector<Option> executionOptions() {
            named<render::BuildQuality>(), [](auto& a) -> auto& { return a.request.structure.bvhQuality; }),
     valued<TracingArguments>({"--layout", kGroup, "nodes of a device's BVH: binary (bvh2), or compressed and 8-wide (cwbvh); `auto`: as tuned, else cwbvh, or bvh2 with midpoint splits"},
            named<render::BvhLayout>(), [](auto& a) -> auto& { return a.request.structure.bvhLayout; }),
-    valued<TracingArguments>({"--loads", kGroup, "buffer type through which a device reads the scene; `auto`: as tuned, else texel if the scene fits"},
+    valued<TracingArguments>({"--loads", kGroup, "buffer type through which a device reads the scene; `auto`: as tuned, else that with which the device reads faster, if the scene fits"},
            named<render::SceneLoads>(), [](auto& a) -> auto& { return a.request.execution.sceneLoads; }),
     valued<TracingArguments>({"--grid-density", kGroup, "density M of a grid, which has about M^3 cells per primitive"},
            realNumber<float>("M", kMinGridDensity, kMaxGridDensity), [](auto& a) -> auto& { return a.request.structure.gridDensity; }),

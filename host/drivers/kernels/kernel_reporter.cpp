@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "host/base/hash_text.h"
+#include "host/trace/device/code_form.h"
 #include "host/trace/render/extent.h"
 #include "host/trace/render/setting_names.h"
 
@@ -28,10 +29,19 @@ std::optional<double> maxInvocations(vulkan::Device& device) {
   return std::max(invocations, emptyInvocations(widest));
 }
 
+// Only a device that executes work can be measured.
+render::SceneLoads fastestLoadsOf(const vulkan::DeviceInfo& info) {
+  if (!info.isSoftware() || !info.usable) return render::SceneLoads::texel;
+  vulkan::Device device = vulkan::Device::open(info);
+  return device::fastestLoads(device);
+}
+
 }  // namespace
 
 KernelReporter::KernelReporter(const std::string& selector)
-    : device_(vulkan::Device::open(selector, {.compilesOnly = true})), maxInvocations_(maxInvocations(device_)) {}
+    : device_(vulkan::Device::open(selector, {.compilesOnly = true})),
+      fastestLoads_(fastestLoadsOf(device())),
+      maxInvocations_(maxInvocations(device_)) {}
 
 KernelRow KernelReporter::rowOf(const device::SceneKernels& kernels, std::size_t module) {
   vulkan::PipelineReport report = reportPipeline(device_, kernels.kernel.spirv[module], kernels.options);
@@ -51,7 +61,9 @@ KernelRow KernelReporter::rowOf(const device::SceneKernels& kernels, std::size_t
   return row;
 }
 
-std::vector<KernelRow> KernelReporter::rowsOf(const scene::Scene& scene, const render::RenderSettings& settings) {
+std::vector<KernelRow> KernelReporter::rowsOf(const scene::Scene& scene, render::RenderSettings settings) {
+  render::SceneLoads& loads = settings.execution.automatic.sceneLoads;
+  if (loads == render::SceneLoads::automatic) loads = fastestLoads_;
   const device::SceneKernels kernels = device::kernelsOf(device(), scene, settings);
   std::vector<KernelRow> rows;
   for (std::size_t module = 0; module < kernels.kernel.spirv.size(); ++module) {

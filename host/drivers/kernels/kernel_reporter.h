@@ -18,12 +18,13 @@ class KernelReporter {
   const vulkan::DeviceInfo& device() const { return device_.info(); }
   /// Returns a row for each module of the kernel that a session with these settings would use. Throws as
   /// device::kernelsOf() and vulkan::reportPipeline() do.
-  std::vector<KernelRow> rowsOf(const scene::Scene& scene, const render::RenderSettings& settings);
+  std::vector<KernelRow> rowsOf(const scene::Scene& scene, render::RenderSettings settings);
 
  private:
   KernelRow rowOf(const device::SceneKernels& kernels, std::size_t module);
 
   vulkan::Device device_;
+  render::SceneLoads fastestLoads_;
   std::optional<double> maxInvocations_;  ///< that the device has in flight; empty: the driver does not report them
 };
 

@@ -1,6 +1,7 @@
 // Tells devices apart by what they are.
 #include "host/trace/device/code_form.h"
 
+#include "host/trace/vulkan/device.h"
 #include "host/trace/vulkan/loop_limit.h"
 
 namespace candela::device {
@@ -8,6 +9,15 @@ namespace candela::device {
 CodeForm codeFormOf(const vulkan::DeviceInfo& info, std::uint32_t loopLimit) {
   const bool isSoftware = info.isSoftware();
   return {.masksLanes = isSoftware, .limitsLoops = isSoftware || loopLimit != vulkan::kUnlimitedIterations};
+}
+
+render::SceneLoads fasterLoads(const vulkan::LoadTimes& times) {
+  constexpr double kTolerated = 1.25;
+  return times.storage <= kTolerated * times.texel ? render::SceneLoads::storage : render::SceneLoads::texel;
+}
+
+render::SceneLoads fastestLoads(vulkan::Device& device) {
+  return device.info().isSoftware() ? fasterLoads(vulkan::probeLoads(device)) : render::SceneLoads::texel;
 }
 
 flatten::SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info) {

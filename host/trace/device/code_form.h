@@ -3,7 +3,9 @@
 #include <cstdint>
 
 #include "host/trace/flatten/small_scene.h"
+#include "host/trace/render/settings.h"
 #include "host/trace/vulkan/device_info.h"
+#include "host/trace/vulkan/loads_probe.h"
 
 namespace candela::device {
 
@@ -18,6 +20,13 @@ struct CodeForm {
 
 /// `loopLimit` is the result of vulkan::probeLoopLimit().
 CodeForm codeFormOf(const vulkan::DeviceInfo& info, std::uint32_t loopLimit);
+
+/// Returns the buffer type with which renders are faster. Devices in software are measured; with others, both types
+/// were equally fast where they were compared, and texels are chosen.
+render::SceneLoads fastestLoads(vulkan::Device& device);
+/// Returns storage if it takes at most 1.25 times as long as texels in the probe, else texels:
+/// docs/driver-workarounds.md section 9.
+render::SceneLoads fasterLoads(const vulkan::LoadTimes& times);
 
 /// Returns the rule as measured on lavapipe; for other devices, the cost of sixteen triangles.
 flatten::SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info);

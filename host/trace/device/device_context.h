@@ -14,7 +14,8 @@ struct DeviceContext {
   std::uint32_t
       loopLimit;  ///< loop iterations that the device executes in an invocation: host/trace/vulkan/loop_limit.h
   CodeForm form;
-  std::uint64_t maxBandBytes;  ///< maximum size of a band's largest buffer
+  render::SceneLoads fastestLoads;  ///< texel or storage
+  std::uint64_t maxBandBytes;       ///< maximum size of a band's largest buffer
   PipelineStore pipelines{};
 };
 

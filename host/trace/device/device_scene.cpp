@@ -52,7 +52,8 @@ render::SceneLoads loadsFor(const vulkan::DeviceInfo& info, const flatten::FlatS
                             const render::RenderSettings& settings) {
   if (!canBind(info, flat, settings.execution.sceneLoads)) refuse(info, flat, settings.execution.sceneLoads);
   if (settings.execution.sceneLoads != render::SceneLoads::automatic) return settings.execution.sceneLoads;
-  const render::SceneLoads preferred = settings.execution.automatic.sceneLoads;
+  using enum render::SceneLoads;
+  const render::SceneLoads preferred = settings.execution.automatic.sceneLoads == storage ? storage : texel;
   if (canBind(info, flat, preferred)) return preferred;
   return preferred == render::SceneLoads::texel ? render::SceneLoads::storage : render::SceneLoads::texel;
 }

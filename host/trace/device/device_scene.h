@@ -14,7 +14,8 @@ namespace candela::device {
 bool canBind(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat, render::SceneLoads loads);
 
 /// Returns the buffer type through which the device reads the records, texel or storage: the one that `settings`
-/// request, or that their AutomaticChoices name; if they leave the choice and the records do not fit, the other one.
+/// request, or that their AutomaticChoices name (texel if those leave it to the device: see fastestLoads()); if they
+/// leave the choice and the records do not fit, the other one.
 /// Throws FileError, which names both sizes, if the records exceed what the device can bind.
 render::SceneLoads loadsFor(const vulkan::DeviceInfo& info, const flatten::FlatScene& flat,
                             const render::RenderSettings& settings);

@@ -40,6 +40,8 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   const vulkan::DeviceInfo& info = context_->device.info();
   render::requireIntegrator(scene_, settings_);
   requireWorkgroup(info, settings_.execution.workgroupInUse());
+  render::SceneLoads& loads = settings_.execution.automatic.sceneLoads;
+  if (loads == render::SceneLoads::automatic) loads = context_->fastestLoads;
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   prepareScene();
   film_.setBandHeight(preferredBandHeight());

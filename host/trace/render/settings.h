@@ -48,11 +48,12 @@ enum class KernelKind { automatic, megakernel, wavefront };
 /// The values of options that are left to Candela. The defaults are built in; docs/performance-journal.md, section
 /// "Experiments", has their measurements.
 struct AutomaticChoices {
-  BvhLayout bvhLayout = BvhLayout::cwbvh;      ///< not automatic; midpoint splits have a separate rule
-  SceneLoads sceneLoads = SceneLoads::texel;   ///< not automatic; if the scene does not fit, the other one
-  Extent workgroup{8, 8};                      ///< supported by every device
-  KernelKind kernel = KernelKind::megakernel;  ///< not automatic
-  std::string origin = "built-in";             ///< for reports
+  BvhLayout bvhLayout = BvhLayout::cwbvh;         ///< not automatic; midpoint splits have a separate rule
+  SceneLoads sceneLoads = SceneLoads::automatic;  ///< automatic: as the device reads faster; if the scene does not fit,
+                                                  ///< the other one
+  Extent workgroup{8, 8};                         ///< supported by every device
+  KernelKind kernel = KernelKind::megakernel;     ///< not automatic
+  std::string origin = "built-in";                ///< for reports
 
   bool operator==(const AutomaticChoices&) const = default;
 };

@@ -40,7 +40,7 @@ TEST_CASE("every value of a dimension gives different settings, and is found by 
       CHECK(valueNamed(dimension, dimension.values[value].name) == value);
     }
     CHECK(names.size() == dimension.values.size());
-    CHECK_FALSE(valueNamed(dimension, "auto"));
+    CHECK_FALSE(valueNamed(dimension, "none"));
   }
 }
 

@@ -162,7 +162,7 @@ TEST_CASE("workgroups that the device does not have are not tried") {
       ++shapes;
     }
   }
-  CHECK(shapes == 4 + 5 + 2);
+  CHECK(shapes == 6 + 5 + 2);
 }
 
 TEST_CASE("no round has more candidates than a renderer caches pipelines") {

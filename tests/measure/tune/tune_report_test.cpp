@@ -34,10 +34,10 @@ TEST_CASE("the text has a row for each candidate, the choice, its gain over the 
   CHECK_THAT(text, Contains("made, 4x4 x 16 spp, ms") && Contains("200.0") && Contains("100.0") && Contains("2.000"));
   CHECK_THAT(
       text,
-      Contains("chosen: layout=bvh2 loads=texel workgroup=8x8 kernel=megakernel, 1.91 times as fast as the built-in "
-               "layout=cwbvh loads=texel workgroup=8x8 kernel=megakernel (noise 3.0 %)"));
+      Contains("chosen: layout=bvh2 loads=auto workgroup=8x8 kernel=megakernel, 1.91 times as fast as the built-in "
+               "layout=cwbvh loads=auto workgroup=8x8 kernel=megakernel (noise 3.0 %)"));
   CHECK_THAT(text, Contains("stored in /cache/a.json; untuned ignores it"));
-  CHECK_THAT(toMarkdown(reportOfChoice()), Contains("| layout=bvh2 loads=texel workgroup=8x8 kernel=megakernel |"));
+  CHECK_THAT(toMarkdown(reportOfChoice()), Contains("| layout=bvh2 loads=auto workgroup=8x8 kernel=megakernel |"));
 }
 
 TEST_CASE("the text says that scenes are too small to tune the layout") {

@@ -6,6 +6,7 @@
 #include "host/trace/vulkan/loop_limit.h"
 #include "tests/scene/generate/generated_text.h"
 #include "tests/trace/render/render_support.h"
+#include "tests/trace/vulkan_support/test_device.h"
 
 using namespace candela;
 using namespace candela::device;
@@ -65,6 +66,19 @@ TEST_CASE("devices in software get the code for processors, and others that stop
     CHECK_FALSE(codeFormOf(deviceOfType(type), vulkan::kUnlimitedIterations).limitsLoops);
     CHECK(codeFormOf(deviceOfType(type), 65535).limitsLoops);
   }
+}
+
+TEST_CASE("a scene is read from storage buffers, unless they take clearly longer than texels") {
+  // Times of lavapipe in milliseconds: 22.3.6, 25.0.7, 26.1.6.
+  CHECK(fasterLoads({.texel = 0.31, .storage = 0.53}) == render::SceneLoads::texel);
+  CHECK(fasterLoads({.texel = 0.19, .storage = 0.265}) == render::SceneLoads::texel);
+  CHECK(fasterLoads({.texel = 0.208, .storage = 0.227}) == render::SceneLoads::storage);
+  vulkan::Device device = openTestDevice();
+  const vulkan::LoadTimes times = vulkan::probeLoads(device);
+  CHECK(times.texel > 0);
+  CHECK(times.storage > 0);
+  CHECK(times.texel < 10);
+  CHECK(times.storage < 10);
 }
 
 TEST_CASE("the code for GPUs gives the same film and counts with every structure and kernel", "[swiftshader-slow]") {

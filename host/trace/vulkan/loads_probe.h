@@ -1,0 +1,19 @@
+// The type of buffer from which a device reads records faster.
+#pragma once
+#include <cstdint>
+
+namespace candela::vulkan {
+
+class Device;
+
+/// Seconds that a device takes to read the same records at random, as a traversal does: the shortest of several runs.
+struct LoadTimes {
+  double texel = 0;
+  double storage = 0;
+};
+
+/// Runs a small kernel on each type of buffer, alternately. A device in software takes some 10 ms, of which most is
+/// compilation. Throws as Device::run().
+LoadTimes probeLoads(Device& device);
+
+}  // namespace candela::vulkan
