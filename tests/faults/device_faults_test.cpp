@@ -20,7 +20,7 @@ Surroundings withFaults(const std::string& faults) {
   return surroundings;
 }
 
-// A render of 32x24 pixels whose dispatches are the third and all later submissions.
+// A render of 32x24 pixels in six tiles.
 class Render {
  public:
   ProgramResult run(const std::vector<std::string>& options, const std::string& faults = "") const {
@@ -35,6 +35,25 @@ class Render {
     INFO(result.err);
     CHECK(result.exitCode == 0);
     return readText(folder.path(name));
+  }
+
+  /// A call of a function among those of the render's dispatches: the third after as many as a render of one pixel
+  /// makes, which opens the device, has one dispatch and reads its result.
+  int callAmidDispatches(const std::string& function) const {
+    const std::string counts = folder.path("counts");
+    Surroundings surroundings = withFaults("");
+    surroundings.environment.push_back("CANDELA_FAULT_COUNTS=" + counts);
+    const ProgramResult result = runCandela({scene_, "--size", "1x1", "--spp", "1", "-o", folder.path("pixel.pfm")},
+                                            surroundings);
+    INFO(result.err);
+    CHECK(result.exitCode == 0);
+    std::istringstream lines(readText(counts));
+    int number = 0;
+    for (std::string name; lines >> name >> number;) {
+      if (name == function) return number + 3;
+    }
+    FAIL(function);
+    return 0;
   }
 
   const TemporaryFolder folder;
@@ -108,11 +127,15 @@ TEST_CASE("a finished render whose device cannot be opened again is denoised by 
 TEST_CASE("a render whose device fails once ends with the bytes of one that did not") {
   const Render render;
   const std::string whole = render.film("whole.exr");
+  const int submission = render.callAmidDispatches("vkQueueSubmit");
   int index = 0;
   for (const std::string& faults :
-       {fault("vkQueueSubmit", 8, "DEVICE_LOST"), fault("vkWaitForFences", 8, "DEVICE_LOST"),
-        fault("vkWaitForFences", 8, "OUT_OF_HOST_MEMORY"), fault("vkQueueSubmit", 7, "OUT_OF_DEVICE_MEMORY"),
-        fault("vkEndCommandBuffer", 9, "UNKNOWN"), fault("vkMapMemory", 3, "MEMORY_MAP_FAILED")}) {
+       {fault("vkQueueSubmit", submission, "DEVICE_LOST"), fault("vkQueueSubmit", 2, "DEVICE_LOST"),
+        fault("vkWaitForFences", render.callAmidDispatches("vkWaitForFences"), "DEVICE_LOST"),
+        fault("vkWaitForFences", render.callAmidDispatches("vkWaitForFences"), "OUT_OF_HOST_MEMORY"),
+        fault("vkQueueSubmit", submission - 1, "OUT_OF_DEVICE_MEMORY"),
+        fault("vkEndCommandBuffer", render.callAmidDispatches("vkEndCommandBuffer"), "UNKNOWN"),
+        fault("vkMapMemory", 3, "MEMORY_MAP_FAILED")}) {
     INFO(faults);
     CHECK(render.film("film" + std::to_string(index++) + ".exr", faults, {"--checkpoint-every", "0.01s"}) == whole);
   }
@@ -123,14 +146,16 @@ TEST_CASE("a device that fails repeatedly ends a render with a film from which i
   const std::string whole = render.film("whole.exr");
   const std::string film = render.folder.path("film.exr");
   REQUIRE(render.run({"--samples", "0:4", "--checkpoint", film}).exitCode == 0);
-  const ProgramResult lost = render.run({"--checkpoint", film, "--resume", film},
-                                        fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
+  const ProgramResult lost = render.run(
+      {"--checkpoint", film, "--resume", film},
+      fault("vkQueueSubmit", render.callAmidDispatches("vkQueueSubmit"), "DEVICE_LOST", kEveryFrom));
   INFO(lost.err);
   CHECK(lost.exitCode == 5);
   CHECK(contains(lost.err, "attempt 3 of 3"));
   CHECK(contains(lost.err, "with --resume " + film + " continues it"));
-  const ProgramResult memory = render.run({"--checkpoint", film, "--resume", film},
-                                          fault("vkQueueSubmit", 9, "OUT_OF_DEVICE_MEMORY", kEveryFrom));
+  const ProgramResult memory = render.run(
+      {"--checkpoint", film, "--resume", film},
+      fault("vkQueueSubmit", render.callAmidDispatches("vkQueueSubmit"), "OUT_OF_DEVICE_MEMORY", kEveryFrom));
   CHECK(memory.exitCode == 6);
   CHECK(render.film("film.exr", "", {"--resume", film}) == whole);
 }
@@ -169,8 +194,9 @@ TEST_CASE("a render without a checkpoint leaves a film beside its output") {
   // The film is read to the host at the end, so that the last calls are made to fail.
   const std::string resumed = render.folder.path("part.exr");
   REQUIRE(render.run({"--samples", "0:4", "--checkpoint", resumed}).exitCode == 0);
-  const ProgramResult result = render.run({"--resume", resumed, "-o", picture},
-                                          fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
+  const ProgramResult result = render.run(
+      {"--resume", resumed, "-o", picture},
+      fault("vkQueueSubmit", render.callAmidDispatches("vkQueueSubmit"), "DEVICE_LOST", kEveryFrom));
   INFO(result.err);
   CHECK(result.exitCode == 5);
   REQUIRE(std::filesystem::exists(film));
@@ -185,8 +211,9 @@ TEST_CASE("`--fallback cpu` finishes a render on the reference, and marks the fi
   const std::string film = render.folder.path("film.exr");
   REQUIRE(render.run({"--samples", "0:4", "--checkpoint", film}).exitCode ==
           0);  // a GPU may write none before it fails
-  const ProgramResult result = render.run({"--checkpoint", film, "--resume", film, "--fallback", "cpu"},
-                                          fault("vkQueueSubmit", 9, "DEVICE_LOST", kEveryFrom));
+  const ProgramResult result = render.run(
+      {"--checkpoint", film, "--resume", film, "--fallback", "cpu"},
+      fault("vkQueueSubmit", render.callAmidDispatches("vkQueueSubmit"), "DEVICE_LOST", kEveryFrom));
   INFO(result.err);
   REQUIRE(result.exitCode == 0);
   const auto description = nlohmann::json::parse(runCandela({"film", film, "--json", "-"}).out);
@@ -200,7 +227,8 @@ TEST_CASE("a device that hangs ends a render after --hang-timeout") {
   const std::string whole = render.film("whole.exr");
   const std::string film = render.folder.path("film.exr");
   const ProgramResult result = render.run(
-      {"--checkpoint", film, "--checkpoint-every", "0.01s", "--hang-timeout", "10s"}, "vkWaitForFences:9:HANG");
+      {"--checkpoint", film, "--checkpoint-every", "0.01s", "--hang-timeout", "10s"},
+      "vkWaitForFences:" + std::to_string(render.callAmidDispatches("vkWaitForFences")) + ":HANG");
   INFO(result.err);
   CHECK(result.exitCode == 5);
   CHECK(contains(result.err, "has not finished its work after 10 s; --hang-timeout"));
