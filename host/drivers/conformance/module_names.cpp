@@ -11,6 +11,7 @@
 #include "spirv/functions.h"
 #include "spirv/identities.h"
 #include "spirv/integers.h"
+#include "spirv/loads_probe.h"
 #include "spirv/loop_probe.h"
 #include "spirv/memory.h"
 #include "spirv/path.h"
@@ -36,11 +37,11 @@ struct ModuleName {
 #define CANDELA_MODULE(name) \
   ModuleName { spirv::name, #name }
 const std::array kModules{
-    CANDELA_MODULE(control),    CANDELA_MODULE(film_sums),   CANDELA_MODULE(floats),      CANDELA_MODULE(functions),
-    CANDELA_MODULE(identities), CANDELA_MODULE(integers),    CANDELA_MODULE(loop_probe),  CANDELA_MODULE(memory),
-    CANDELA_MODULE(path),       CANDELA_MODULE(queue),       CANDELA_MODULE(records),     CANDELA_MODULE(samplers),
-    CANDELA_MODULE(views),      CANDELA_MODULE(wave_extend), CANDELA_MODULE(wave_gather), CANDELA_MODULE(wave_renew),
-    CANDELA_MODULE(wave_shade), CANDELA_MODULE(wave_shadow), CANDELA_MODULE(whitted)};
+    CANDELA_MODULE(control),    CANDELA_MODULE(film_sums),  CANDELA_MODULE(floats),      CANDELA_MODULE(functions),
+    CANDELA_MODULE(identities), CANDELA_MODULE(integers),   CANDELA_MODULE(loads_probe), CANDELA_MODULE(loop_probe),
+    CANDELA_MODULE(memory),     CANDELA_MODULE(path),       CANDELA_MODULE(queue),       CANDELA_MODULE(records),
+    CANDELA_MODULE(samplers),   CANDELA_MODULE(views),      CANDELA_MODULE(wave_extend), CANDELA_MODULE(wave_gather),
+    CANDELA_MODULE(wave_renew), CANDELA_MODULE(wave_shade), CANDELA_MODULE(wave_shadow), CANDELA_MODULE(whitted)};
 #undef CANDELA_MODULE
 
 }  // namespace

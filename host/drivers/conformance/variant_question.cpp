@@ -1,14 +1,17 @@
 // Observes variants of kernels.
 #include "host/drivers/conformance/variant_question.h"
 
+#include <algorithm>
+#include <array>
+
 #include "host/drivers/conformance/workbench.h"
 
 namespace candela::conformance {
 namespace {
 
-// The probe of the loop limit is not changed: it measures the device, and its result divides the work in the same
-// way for all variants.
-constexpr std::string_view kProbe = "loop_probe";
+// Probes are not changed: they measure the device, and their results divide the work and read the scene in the same way
+// for all variants.
+constexpr std::array<std::string_view, 2> kProbes{"loop_probe", "loads_probe"};
 
 // Returns the observation of the plain form, which the first case of the group makes. An exception leaves no
 // observation, so that the next case makes it again.
@@ -30,7 +33,7 @@ Observation observeForm(const VariantQuestion& question, const variants::Variant
                         const vulkan::DeviceInfo& device, const variants::PreparationScope& scope) {
   variants::PreparationScope withoutProbe = scope;
   withoutProbe.isMeant = [isMeant = scope.isMeant](std::span<const std::uint32_t> spirv) {
-    return moduleName(spirv) != kProbe && (!isMeant || isMeant(spirv));
+    return std::ranges::count(kProbes, moduleName(spirv)) == 0 && (!isMeant || isMeant(spirv));
   };
   Workbench workbench(device, {}, variants::preparation(form, withoutProbe));
   return question.observe(workbench);

@@ -139,7 +139,7 @@ TEST_CASE("candela devices lists stored tuning, and benchmarks use it", "[swifts
   home.keep(tune::candidateWith({{"layout", "bvh2"}, {"workgroup", "16x8"}}));
   CHECK(std::ranges::any_of(json::parse(runCandela({"devices", "--json", "-"}, surroundings).out)["devices"], isTuned));
   CHECK_THAT(runCandela({"devices"}, surroundings).out,
-             Contains("tuned 2026-01-31T12:00:00Z: layout=bvh2 loads=texel workgroup=16x8"));
+             Contains("tuned 2026-01-31T12:00:00Z: layout=bvh2 loads=auto workgroup=16x8"));
   const ProgramResult bench = home.run(
       {"bench", home.scene(), "--size", "8x8", "--spp", "1", "--repeat", "1", "--json", "-"});
   REQUIRE(bench.exitCode == 0);
