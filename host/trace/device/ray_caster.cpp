@@ -55,10 +55,9 @@ std::vector<std::uint32_t> alongMortonCurve(const render::Extent& size) {
   return pixels;
 }
 
-vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv,
+vulkan::ComputePipeline castPipeline(vulkan::Device& device, std::span<const std::uint32_t> spirv, const CodeForm& form,
                                      const flatten::SceneShape& shape, const render::RenderSettings& settings,
                                      bool texels, bool anyHit) {
-  const CodeForm form = codeFormOf(device.info(), vulkan::probeLoopLimit(device));
   vulkan::PipelineOptions options = kernelOptions(form, shape, settings, texels, sizeof(gpu::CastConstants));
   options.specialisations.push_back({gpu::kSpecOcclusion, anyHit});
   return {device, spirv, options};
@@ -78,11 +77,12 @@ const render::RenderSettings& checked(const vulkan::Device& device, const render
 RayCaster::RayCaster(vulkan::Device& device, const flatten::FlatScene& flat, const render::RenderSettings& settings)
     : device_(device),
       settings_(checked(device, settings)),
+      form_(codeFormOf(device.info(), vulkan::probeLoopLimit(device))),
       shape_(flat.shape),
       sceneBytes_(std::span(flat.rows).size_bytes()),
       deviceScene_(device, flat, loadsFor(device.info(), flat, settings)),
-      casts_{castPipeline(device, spirv::cast_rays, shape_, settings, deviceScene_.readsTexels(), false),
-             castPipeline(device, spirv::cast_rays, shape_, settings, deviceScene_.readsTexels(), true)},
+      casts_{castPipeline(device, spirv::cast_rays, form_, shape_, settings, deviceScene_.readsTexels(), false),
+             castPipeline(device, spirv::cast_rays, form_, shape_, settings, deviceScene_.readsTexels(), true)},
       unused_(storage(device, 1, sizeof(gpu::CastHit))),
       rays_(storage(device, 1, sizeof(gpu::CastRay))),
       hits_(storage(device, 1, sizeof(gpu::CastHit))),
@@ -109,8 +109,8 @@ double RayCaster::dispatch(const vulkan::ComputePipeline& pipeline, const vulkan
 }
 
 RaySets RayCaster::makeRays() {
-  const vulkan::ComputePipeline pipeline = castPipeline(device_, spirv::make_rays, shape_, settings_, readsTexels(),
-                                                        false);
+  const vulkan::ComputePipeline pipeline = castPipeline(device_, spirv::make_rays, form_, shape_, settings_,
+                                                        readsTexels(), false);
   const std::uint32_t pixels = settings_.image.size.width * settings_.image.size.height;
   const vulkan::Buffer all = storage(device_, std::uint64_t{gpu::kRayKindCount} * pixels, sizeof(gpu::CastRay));
   const vulkan::BindingSet bindings(

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host/trace/device/code_form.h"
 #include "host/trace/device/device_scene.h"
 #include "host/trace/flatten/flat_scene.h"
 #include "host/trace/vulkan/binding_set.h"
@@ -47,6 +48,7 @@ class RayCaster {
 
   vulkan::Device& device_;
   render::RenderSettings settings_;
+  CodeForm form_;
   flatten::SceneShape shape_;
   std::uint64_t sceneBytes_;
   DeviceScene deviceScene_;
