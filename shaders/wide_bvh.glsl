@@ -20,26 +20,25 @@ struct WideRay {
 // opposite and become NaN. Coordinates are below 2^41, and 2^-80 is still too small to affect a result.
 const float kMinComponent = 8.3e-25;
 
-WideRay wideRay(vec3 origin, vec3 direction, float padding) {
-  WideRay result;
-  result.origin = origin;
-  result.padding = padding;
-  result.backward = lessThan(direction, vec3(0.0));
-  vec3 pad = mix(vec3(1.0), vec3(-1.0), result.backward) * padding;
-  result.nearOrigin = origin + pad;
-  result.farOrigin = origin - pad;
-  vec3 magnitude = max(abs(direction), vec3(kMinComponent));
-  result.inverse = 1.0 / mix(magnitude, -magnitude, result.backward);
-  uvec3 bits = mix(uvec3(0u), uvec3(1u, 2u, 4u), result.backward);
-  result.octant = bits.x | bits.y | bits.z;
-  return result;
-}
-
 // The members of a ray that follow from others. GPUs compute them for each node, and have registers for more rays.
 bvec3 backwardOf(WideRay ray) { return kMasksLanes ? ray.backward : lessThan(ray.inverse, vec3(0.0)); }
 vec3 padOf(WideRay ray) { return mix(vec3(1.0), vec3(-1.0), backwardOf(ray)) * ray.padding; }
 vec3 nearOriginOf(WideRay ray) { return kMasksLanes ? ray.nearOrigin : ray.origin + padOf(ray); }
 vec3 farOriginOf(WideRay ray) { return kMasksLanes ? ray.farOrigin : ray.origin - padOf(ray); }
+
+WideRay wideRay(vec3 origin, vec3 direction, float padding) {
+  WideRay result;
+  result.origin = origin;
+  result.padding = padding;
+  result.backward = lessThan(direction, vec3(0.0));
+  vec3 magnitude = max(abs(direction), vec3(kMinComponent));
+  result.inverse = 1.0 / mix(magnitude, -magnitude, result.backward);
+  result.nearOrigin = origin + padOf(result);
+  result.farOrigin = origin - padOf(result);
+  uvec3 bits = mix(uvec3(0u), uvec3(1u, 2u, 4u), result.backward);
+  result.octant = bits.x | bits.y | bits.z;
+  return result;
+}
 
 float paddingOf(vec3 origin) { return largest(abs(origin)) * (1.0 / 524288.0); }
 
