@@ -25,7 +25,7 @@ CANDELA_CONST uint kSpecRecord = 23u;           // the decisions of each path ar
 
 // The scene.
 CANDELA_CONST uint kSpecTextureSlots = 92u;  // a bit for each texture slot that some material of the scene uses
-CANDELA_CONST uint kSpecCoincident = 88u;    // kCoincident..., a bit for each kind of surface that coincides with another
+CANDELA_CONST uint kSpecCoincident = 88u;  // kCoincident..., a bit for each kind of surface that coincides with another
 // The largest coordinate of the surfaces that are behind emitters, as the bits of a float; 0: there are none.
 CANDELA_CONST uint kSpecBehindReach = 99u;
 

@@ -28,10 +28,9 @@ std::unique_ptr<render::Renderer> makeGpuRenderer(const std::string& selector, c
 std::unique_ptr<render::Renderer> makeGpuRenderer(vulkan::Device device, const GpuRendererOptions& options) {
   const std::uint32_t loopLimit = options.loopLimit ? *options.loopLimit : vulkan::probeLoopLimit(device);
   const CodeForm form = options.form ? *options.form : codeFormOf(device.info(), loopLimit);
-  const render::SceneLoads loads = fastestLoads(device);
   // A context cannot be moved, and Clang 14 does not make aggregates in place by std::make_shared().
-  return std::make_unique<GpuRenderer>(std::shared_ptr<DeviceContext>(
-      new DeviceContext{std::move(device), loopLimit, form, loads, options.maxBandBytes}));
+  return std::make_unique<GpuRenderer>(
+      std::shared_ptr<DeviceContext>(new DeviceContext{std::move(device), loopLimit, form, options.maxBandBytes}));
 }
 
 }  // namespace candela::device

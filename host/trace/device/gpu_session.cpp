@@ -40,14 +40,20 @@ GpuSession::GpuSession(std::shared_ptr<DeviceContext> context, const scene::Scen
   const vulkan::DeviceInfo& info = context_->device.info();
   render::requireIntegrator(scene_, settings_);
   requireWorkgroup(info, settings_.execution.workgroupInUse());
-  render::SceneLoads& loads = settings_.execution.automatic.sceneLoads;
-  if (loads == render::SceneLoads::automatic) loads = context_->fastestLoads;
+  chooseLoads();
   const std::uint64_t bytesBefore = context_->device.memoryUse().currentBytes;
   prepareScene();
   film_.setBandHeight(preferredBandHeight());
   prepared_.deviceBytes = context_->device.memoryUse().currentBytes - bytesBefore;
   film_.resize(settings_.image);
   startCounting();
+}
+
+void GpuSession::chooseLoads() {
+  render::SceneLoads& loads = settings_.execution.automatic.sceneLoads;
+  if (settings_.execution.sceneLoads != render::SceneLoads::automatic || loads != render::SceneLoads::automatic) return;
+  if (!context_->fastestLoads) context_->fastestLoads = fastestLoads(context_->device);
+  loads = *context_->fastestLoads;
 }
 
 // Flattens the scene and uploads it. Only its shape is stored on the host.

@@ -47,6 +47,8 @@ class GpuSession final : public render::Session, public render::SampleReplayer, 
   std::uint64_t bufferBytes() const;
 
  private:
+  /// Replaces a choice of loads that is left to the device by the device's.
+  void chooseLoads();
   void prepareScene();
   void describe();
   vulkan::PipelineOptions pipelineOptions() const;
