@@ -12,7 +12,7 @@ struct LoadTimes {
   double storage = 0;
 };
 
-/// Runs a small kernel on each type of buffer, alternately. A device in software takes 6 to 40 ms, and up to 100 ms if
+/// Runs a small kernel on each type of buffer, alternately. A device in software takes 25 to 40 ms, and about 100 ms if
 /// its driver has not compiled the kernel before. Throws as Device::run().
 LoadTimes probeLoads(Device& device);
 
