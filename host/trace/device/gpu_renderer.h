@@ -16,9 +16,9 @@ namespace candela::device {
 
 struct GpuRendererOptions {
   /// Loop iterations that the device executes in an invocation; absent: measured. Only tests set it.
-  std::optional<std::uint32_t> loopLimit;
+  std::optional<std::uint32_t> loopLimit{};
   /// Absent: that of the device. Only tests set it.
-  std::optional<CodeForm> form;
+  std::optional<CodeForm> form{};
   /// Maximum size of a buffer of path states or film. Every device can allocate the default in one piece; tests set
   /// less in order to divide small images into bands.
   std::uint64_t maxBandBytes = std::uint64_t{1} << 30;
