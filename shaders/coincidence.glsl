@@ -89,12 +89,12 @@ Ray withStart(Ray ray) {
   return ray;
 }
 
+bool isFlat(uint kind) { return !isKind(kind, kKindSphere) && !isKind(kind, kKindCone); }
+
 // Returns whether the rules apply to the test of a primitive with these records.
 bool followsRules(Ray ray, uvec4 rows[3], bool startsHere) {
   return !startsHere && (ray.originSlot & kOriginCoincident) != 0u && (rows[2].w & kFlagCoincident) != 0u;
 }
-
-bool isFlat(uint kind) { return !isKind(kind, kKindSphere) && !isKind(kind, kKindCone); }
 
 bool coincidesWithStart(Ray ray, FlatSurface surface) {
   return isFlat(ray.start.rows[2].w) && areCoplanar(ray.start.surface, surface);
@@ -107,23 +107,32 @@ bool areSameBody(uvec4 a[3], uvec4 b[3]) {
   return sameTop && (!isKind(a[2].w, kKindCone) || a[2].x == b[2].x);
 }
 
+bool isInward(Ray ray) { return (ray.originSlot & kOriginInward) != 0u; }
+
+// Returns the place of a surface in the order in a plane, apart from its emission, for a ray that enters or exits it.
+uint placeInPlane(uint kind, bool enters) {
+  if ((kind & kFlagTransmits) == 0u) return 3u;
+  if ((kind & kFlagThinWalled) != 0u) return 2u;
+  return enters && isFlat(kind) ? 4u : 1u;
+}
+
 // Returns whether the ray passes a primitive that coincides with its origin primitive. `sameSide`: it enters both of
 // them, or exits both.
 bool passes(Ray ray, uvec4 rows[3], bool sameSide) {
   if (!kLightCrossesCoincident) return true;
   bool transmits = (rows[2].w & kFlagTransmits) != 0u;
-  bool isContinued = transmits && rows[2].w >> kMaterialShift == ray.start.rows[2].w >> kMaterialShift;
   uint contact = ray.originSlot & (kOriginBeyond | kOriginBack);
   bool crosses = (ray.originSlot & kOriginCrosses) != 0u;
-  if (crosses && contact != kOriginBack) {
-    bool isLower = transmits && indexOf(rows) < indexOf(ray.start.rows);
-    return isLower || isContinued && (sameSide || (rows[2].w & kFlagThinWalled) != 0u);
-  }
-  if (!crosses && contact != 0u) return isContinued || contact == kOriginBeyond && !transmits;
-  return true;
+  // A ray that stays on its side goes back, and hits what came first for the ray that arrived.
+  bool entersOrigin = isInward(ray) == crosses;
+  uint here = placeInPlane(ray.start.rows[2].w, entersOrigin);
+  uint there = placeInPlane(rows[2].w, entersOrigin == sameSide);
+  bool isThereFirst = there < here || there == here && indexOf(rows) < indexOf(ray.start.rows);
+  bool isSame = rows[2].w >> kMaterialShift == ray.start.rows[2].w >> kMaterialShift;
+  bool isContinued = isSame && (sameSide || (rows[2].w & kFlagThinWalled) != 0u);
+  if (transmits) return isContinued || (crosses ? isThereFirst : contact == 0u || !isThereFirst);
+  return crosses ? isThereFirst || contact == kOriginBack : contact != kOriginBack;
 }
-
-bool isInward(Ray ray) { return (ray.originSlot & kOriginInward) != 0u; }
 
 // Returns whether the ray hits at once a sphere that is its origin primitive apart from the radius' sign.
 bool hitsSphereAtOnce(Ray ray, uvec4 rows[3]) {
@@ -133,24 +142,26 @@ bool hitsSphereAtOnce(Ray ray, uvec4 rows[3]) {
   return !passes(ray, rows, !flipped) && !(insideOnly && enters);
 }
 
-// Returns the cosine of the ray's angle to the normal of a flat primitive, which the ray hits at distance t.
+// Returns the cosine of the ray's angle to the outward normal of a flat primitive, which the ray hits at distance t.
 float flatCosine(Ray ray, uvec4 rows[3], float t) {
   vec3 row0 = uintBitsToFloat(rows[0].xyz);
   vec3 row1 = uintBitsToFloat(rows[1].xyz);
-  if (kHasPlanes && isKind(rows[2].w, kKindPlane)) return abs(dot(row1, ray.direction));
+  if (kHasPlanes && isKind(rows[2].w, kKindPlane)) return dot(row1, ray.direction);
   if (kHasBoxes && isKind(rows[2].w, kKindBox)) {
     vec3 position = ray.origin + t * ray.direction;
-    return abs(dot(boxNormal(ray, row0, row1, t, false, position), ray.direction));
+    return dot(boxNormal(ray, row0, row1, t, false, position), ray.direction);
   }
-  return abs(dot(triangleNormal(row1 - row0, uintBitsToFloat(rows[2].xyz) - row0), ray.direction));
+  return dot(triangleNormal(row1 - row0, uintBitsToFloat(rows[2].xyz) - row0), ray.direction);
 }
 
-// Returns the distance that a primitive behind an emitter counts for, in comparisons with others that the ray hits.
-float distanceBehind(Ray ray, uvec4 rows[3], float t) {
+// Returns the distance that an ordered primitive counts for, in comparisons with others that the ray hits.
+float orderedDistance(Ray ray, uvec4 rows[3], float t) {
   if (!isFlat(rows[2].w)) return t;
-  if (t == kAtOnce) return 2.0 * kAtOnce;
-  float margin = 2.0 * kCoplanar * larger(uintBitsToFloat(kBehindReach), largest(abs(ray.origin)));
-  return min(t + margin / flatCosine(ray, rows, t), 0.5 * kNoHit);
+  float cosine = flatCosine(ray, rows, t);
+  float place = float(placeInPlane(rows[2].w, cosine < 0.0));
+  if (t == kAtOnce) return (1.0 + place) * kAtOnce;
+  float margin = place * 2.0 * kCoplanar * larger(uintBitsToFloat(kOrderReach), largest(abs(ray.origin)));
+  return min(t + margin / abs(cosine), 0.5 * kNoHit);
 }
 
 // Returns the distance to a flat primitive in the plane of the ray's origin, which the line through the origin along the

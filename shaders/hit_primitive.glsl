@@ -11,15 +11,15 @@
 struct Hit {
   float t;  // kNoHit: no hit, and the other members are undefined; during the search, the distance that is compared
   uint slot;
-  uint index;  // primitive index; at equal distances those behind emitters come last, then the higher indices
+  uint index;  // primitive index; at equal distances ordered ones come last, then the higher indices
   uint instance;  // number of the instance, or 0
-  bool behind;    // kFlagBehind; undefined without kHasBehind
+  bool ordered;    // kFlagOrdered; undefined without kHasOrdered
 };
 
 struct PrimitiveHit {
   float t;
   uint index;  // primitive index in the scene
-  bool behind;
+  bool ordered;
 };
 
 // Callers state what they know of the primitive, so that less code is compiled.
@@ -91,14 +91,14 @@ PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   float t = distanceToRows(ray, slot, rows, kind, known);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   if (kHasTransparency && t < kNoHit && (kind & kFlagTransparent) != 0u && !isThere(ray, slot, rows, t)) t = kNoHit;
-  return PrimitiveHit(t, indexOf(rows), kHasBehind && (rows[2].w & kFlagBehind) != 0u);
+  return PrimitiveHit(t, indexOf(rows), kHasOrdered && (rows[2].w & kFlagOrdered) != 0u);
 }
 
 // Returns the hit as it is compared with others.
 PrimitiveHit comparedHit(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   PrimitiveHit hit = hitRows(ray, slot, rows, kind, known);
-  if (!kHasBehind || known == kApartPrimitive || hit.t >= kNoHit || !hit.behind) return hit;
-  hit.t = distanceBehind(ray, rows, hit.t);
+  if (!kHasOrdered || known == kApartPrimitive || hit.t >= kNoHit || !hit.ordered) return hit;
+  hit.t = orderedDistance(ray, rows, hit.t);
   return hit;
 }
 

@@ -74,7 +74,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   surface.kind = rows[2].w;
   surface.attributes = 0u;
   surface.index = indexOf(rows);
-  bool forth = (ray.originSlot & (kOriginCrosses | kOriginBack)) != 0u;
+  bool forth = ((ray.originSlot & kOriginCrosses) != 0u) != ((ray.originSlot & kOriginBack) != 0u);
   surface.contact = !kHasCoincident || t != kAtOnce ? 0u : forth ? kOriginBeyond : kOriginBack;
   surface.light = 0u;
   surface.outward = vec3(0.0, 0.0, 1.0);

@@ -15,13 +15,13 @@ struct Work {
 
 void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot, uint instance) {
   bool first = candidate.index < hit.index;
-  if (kHasBehind && candidate.behind != hit.behind) first = hit.behind;
+  if (kHasOrdered && candidate.ordered != hit.ordered) first = hit.ordered;
   bool better = candidate.t < hit.t || (candidate.t == hit.t && first);
   hit.t = better ? candidate.t : hit.t;
   hit.slot = better ? slot : hit.slot;
   hit.index = better ? candidate.index : hit.index;
   if (kHasInstances) hit.instance = better ? instance : hit.instance;
-  if (kHasBehind) hit.behind = better ? candidate.behind : hit.behind;
+  if (kHasOrdered) hit.ordered = better ? candidate.ordered : hit.ordered;
 }
 
 // Returns 0, because no component of a direction reaches 2. Compilers cannot know this: docs/driver-workarounds.md
@@ -115,7 +115,7 @@ Hit traceClosest(Ray ray, inout Work work) {
   else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
   if (kHasInstances) closestInInstances(hit, ray, work);
-  if (kHasBehind && hit.t < kNoHit && hit.behind) {
+  if (kHasOrdered && hit.t < kNoHit && hit.ordered) {
     uvec4 rows[3] = placedRowsOf(hit.slot, hit.instance);
     hit.t = distanceToRows(ray, hit.slot, rows, rows[2].w, kAnyPrimitive);
   }

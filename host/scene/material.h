@@ -98,6 +98,11 @@ inline bool isEmissive(const Material& material) {
   return material.emission.x > 0 || material.emission.y > 0 || material.emission.z > 0;
 }
 
+/// Returns whether rays of the path tracer may cross a surface of the material.
+inline bool transmits(const Material& material) {
+  return material.dielectric || (material.surface && material.surface->transmissionWeight > 0);
+}
+
 inline const std::optional<TextureReference>& textureOf(const Material& material, TextureSlot slot) {
   return material.textures[static_cast<std::size_t>(slot)];
 }

@@ -202,8 +202,8 @@ struct Counters {
 CANDELA_CONST uint kOriginInward = 0x80000000u;      // the ray starts inward from its origin primitive
 CANDELA_CONST uint kOriginCrosses = 0x40000000u;     // it crosses the surface; set if the origin primitive may coincide
 CANDELA_CONST uint kOriginCoincident = 0x20000000u;  // with another one, which this flag says
-CANDELA_CONST uint kOriginBeyond = 0x10000000u;      // the ray before hit it at once, after it crossed a surface,
-CANDELA_CONST uint kOriginBack = 0x08000000u;        // or on its way back: docs/light-transport.md section 4
+CANDELA_CONST uint kOriginBeyond = 0x10000000u;      // the ray before hit it at once, when it went forth,
+CANDELA_CONST uint kOriginBack = 0x08000000u;        // or back: docs/light-transport.md section 4
 CANDELA_CONST uint kOriginSlotMask = 0x07ffffffu;
 
 // Path records: kRecordedVertices pairs (primitive index, decisions) per pixel, after the counters.

@@ -45,7 +45,7 @@ CANDELA_CONST uint kFlagTouched = 16u;       // the surface may contain a light:
 CANDELA_CONST uint kFlagOpaque = 32u;        // T = 0: --one-sided applies
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
-CANDELA_CONST uint kFlagBehind = 256u;       // it is behind an emitter: docs/light-transport.md section 4
+CANDELA_CONST uint kFlagOrdered = 256u;      // its place in the order in a plane matters: docs/light-transport.md section 4
 CANDELA_CONST uint kFlagCoincident = 2048u;  // another surface may coincide with it: coincidence.glsl
 CANDELA_CONST uint kFlagTransmits = 4096u;   // rays may cross the surface
 CANDELA_CONST uint kFlagThinWalled = 8192u;  // it bounds no volume

@@ -26,8 +26,8 @@ CANDELA_CONST uint kSpecRecord = 23u;           // the decisions of each path ar
 // The scene.
 CANDELA_CONST uint kSpecTextureSlots = 92u;  // a bit for each texture slot that some material of the scene uses
 CANDELA_CONST uint kSpecCoincident = 88u;  // kCoincident..., a bit for each kind of surface that coincides with another
-// The largest coordinate of the surfaces that are behind emitters, as the bits of a float; 0: there are none.
-CANDELA_CONST uint kSpecBehindReach = 99u;
+// The largest coordinate of the surfaces that are ordered in a plane, as the bits of a float; 0: there are none.
+CANDELA_CONST uint kSpecOrderReach = 99u;
 
 // The acceleration structure, and how it is read.
 CANDELA_CONST uint kSpecStructure = 21u;  // kStructure...

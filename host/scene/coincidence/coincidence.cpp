@@ -87,6 +87,25 @@ struct LargestCoordinate {
   float operator()(const Plane& plane) const { return reachOf(std::array{plane.p[0]}); }
 };
 
+// Classes of materials that have places of their own in the order in a plane, as bits.
+using Classes = std::uint8_t;
+constexpr Classes kEmits = 1, kThinWalled = 2, kBody = 4, kOther = 8;
+
+Classes classOf(const Material& material) {
+  if (isEmissive(material)) return kEmits;
+  if (material.whitted && material.whitted->kind == WhittedKind::glass) return kBody;
+  if (!transmits(material)) return kOther;
+  return material.surface && !material.surface->hasVolume() ? kThinWalled : kBody;
+}
+
+// Returns whether a surface of one of the classes `own` may be ordered in relation to one of `others`.
+bool mayDifferInPlace(Classes own, Classes others) {
+  const Classes ordered = own & ~kEmits;
+  if (ordered == 0) return false;
+  const bool isOfOneClass = ordered == kThinWalled || ordered == kOther;  // bodies are entered or exited
+  return (others & ~(isOfOneClass ? ordered : 0)) != 0;
+}
+
 // Marks primitives, by what is known of pairs.
 class Marking {
  public:
@@ -114,26 +133,28 @@ class Marking {
     }
   }
 
-  // Copies share the marks that their first copy has.
-  void markBehind() {
-    result_.behind.resize(stored_.count());
-    noteEmitters();
-    if (std::ranges::count(emits_, true) == 0) return;
-    std::vector<bool> holdsEmitter = emits_;
+  // Copies share what is known of their first copy.
+  void markOrdered() {
+    result_.ordered.resize(stored_.count());
+    noteClasses();
+    std::vector<Classes> others(stored_.count());  // classes of what coincides, by first copy
     forEachPair([&](std::uint32_t a, std::uint32_t b) {
-      if (emits_[copyOf(a)]) holdsEmitter[copyOf(b)] = true;
-      if (emits_[copyOf(b)]) holdsEmitter[copyOf(a)] = true;
+      others[copyOf(a)] |= classes_[copyOf(b)];
+      others[copyOf(b)] |= classes_[copyOf(a)];
     });
-    const auto hold = [&](std::uint32_t number) { holdsEmitter[firstCopy_[number]] = true; };
-    for (const auto& [a, b] : instances_.unsearched) {
-      if (hasEmitter(a)) forEachFlat(b, hold);
-      if (hasEmitter(b)) forEachFlat(a, hold);
-    }
+    forEachPairOfRuns([&](std::uint32_t a, std::uint32_t b) {
+      const Classes ofB = classesIn(b);
+      forEachFlat(a, [&](std::uint32_t number) { others[firstCopy_[number]] |= ofB; });
+    });
+    for (const std::uint32_t number : instances_.uncertain) others[firstCopy_[number]] |= classes_[firstCopy_[number]];
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {
-      if (!stored_.isFirst(run) || !isDark_[stored_.firstOf(run)]) continue;
-      forEach(run, [&](std::uint32_t number) { result_.behind[number] = holdsEmitter[firstCopy_[number]]; });
+      if (!stored_.isFirst(run)) continue;
+      const Classes own = classesOfRun_[stored_.firstOf(run)];
+      forEach(run, [&](std::uint32_t number) {
+        result_.ordered[number] = mayDifferInPlace(own, others[firstCopy_[number]]);
+      });
     }
-    noteReach();
+    if (std::ranges::count(result_.ordered, true) > 0) noteReach();
   }
 
  private:
@@ -167,44 +188,56 @@ class Marking {
     });
   }
 
-  bool hasEmitter(std::uint32_t run) const {
-    bool has = false;
-    forEach(run, [&](std::uint32_t number) { has = has || emits_[firstCopy_[number]]; });
-    return has;
+  // Visits pairs of runs in both orders that coincide everywhere, or of which nothing is known.
+  void forEachPairOfRuns(const std::function<void(std::uint32_t a, std::uint32_t b)>& visit) const {
+    for (const auto* pairs : {&instances_.unsearched, &instances_.copiedRuns}) {
+      for (const auto& [a, b] : *pairs) visit(a, b), visit(b, a);
+    }
+  }
+
+  Classes classesIn(std::uint32_t run) const {
+    Classes classes = 0;
+    forEach(run, [&](std::uint32_t number) { classes |= classes_[firstCopy_[number]]; });
+    return classes;
   }
 
   // Instances share what is known of their materials, too.
-  void noteEmitters() {
-    std::vector<bool> emits(stored_.count());
-    isDark_.resize(stored_.count());
+  void noteClasses() {
+    classesOfRun_.resize(stored_.count());
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {
-      (isEmissive(scene_.materials[runs_[run].start.material]) ? emits : isDark_)[stored_.firstOf(run)] = true;
+      classesOfRun_[stored_.firstOf(run)] |= classOf(scene_.materials[runs_[run].start.material]);
     }
-    emits_.resize(stored_.count());
+    classes_.resize(stored_.count());
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {
-      if (!stored_.isFirst(run) || !emits[stored_.firstOf(run)]) continue;
-      forEach(run, [&](std::uint32_t number) { emits_[firstCopy_[number]] = true; });
+      if (!stored_.isFirst(run)) continue;
+      forEach(run, [&](std::uint32_t number) { classes_[firstCopy_[number]] |= classesOfRun_[stored_.firstOf(run)]; });
     }
   }
 
   void noteReach() {
-    std::vector<bool> isInvolved(stored_.count());
+    std::vector<bool> isOrdered(stored_.count());  // by first copy, as the next one
     for (std::uint32_t number = 0; number < stored_.count(); ++number) {
-      if (result_.behind[number]) isInvolved[firstCopy_[number]] = true;
+      if (result_.ordered[number]) isOrdered[firstCopy_[number]] = true;
     }
+    std::vector<bool> isInvolved = isOrdered;
     forEachPair([&](std::uint32_t a, std::uint32_t b) {
-      if (isInvolved[copyOf(a)] && emits_[copyOf(b)]) isInvolved[copyOf(b)] = true;
-      if (isInvolved[copyOf(b)] && emits_[copyOf(a)]) isInvolved[copyOf(a)] = true;
+      if (isOrdered[copyOf(a)]) isInvolved[copyOf(b)] = true;
+      if (isOrdered[copyOf(b)]) isInvolved[copyOf(a)] = true;
     });
-    const auto involve = [&](std::uint32_t number) {
-      if (emits_[number]) isInvolved[number] = true;
+    const auto hasOrdered = [&](std::uint32_t run) {
+      bool has = false;
+      forEach(run, [&](std::uint32_t number) { has = has || isOrdered[firstCopy_[number]]; });
+      return has;
     };
-    for (const auto& [a, b] : instances_.unsearched) forEach(a, involve), forEach(b, involve);
+    const auto involve = [&](std::uint32_t number) { isInvolved[firstCopy_[number]] = true; };
+    for (const auto& [a, b] : instances_.unsearched) {
+      if (hasOrdered(a) || hasOrdered(b)) forEachFlat(a, involve), forEachFlat(b, involve);
+    }
     std::vector<bool> hasInvolved(stored_.count());  // by the number of a run's first primitive
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {
       if (!stored_.isFirst(run)) continue;
       forEach(run, [&](std::uint32_t number) {
-        if (!isInvolved[number]) return;
+        if (!isInvolved[firstCopy_[number]]) return;
         hasInvolved[stored_.firstOf(run)] = true;
         if (isUnplaced(run)) include(reachOf(stored_.primitiveOf(number)));
       });
@@ -217,7 +250,7 @@ class Marking {
   float reachOf(std::uint32_t primitive) const {
     return std::visit(LargestCoordinate(), shapeOf(scene_, scene_.primitives[primitive]));
   }
-  void include(float reach) { result_.behindReach = std::max(result_.behindReach, reach); }
+  void include(float reach) { result_.orderReach = std::max(result_.orderReach, reach); }
 
   const Scene& scene_;
   std::span<const PrimitiveRun> runs_;
@@ -225,8 +258,8 @@ class Marking {
   std::span<const std::uint32_t> firstCopy_;
   const InstanceContacts& instances_;
   Coincidences& result_;
-  std::vector<bool> emits_;   // by first copy: whether a copy emits in some instance
-  std::vector<bool> isDark_;  // by the number of a run's first primitive: whether it does not emit in some instance
+  std::vector<Classes> classes_;       // of all copies in all instances, by first copy
+  std::vector<Classes> classesOfRun_;  // in all instances, by the number of a run's first primitive
 };
 
 }  // namespace
@@ -255,7 +288,7 @@ Coincidences findCoincidences(const Scene& scene, std::uint32_t threads) {
   }
   Marking marking(scene, stored, firstCopy, instances, result);
   marking.markCoincident();
-  marking.markBehind();
+  marking.markOrdered();
   return result;
 }
 

@@ -50,12 +50,12 @@ struct Coincidences {
   /// Whether the search ended before all pairs were compared. `overlaps` is then empty, and `coincident` is true for
   /// every flat primitive. It depends on the scene alone.
   bool truncated = false;
-  /// Whether it does not emit, and an emitter is a copy of it or overlaps it in one plane. A triangle that emits in
-  /// some instances has the mark of the others.
-  std::vector<bool> behind;
-  /// The largest coordinate of all surfaces that are behind and of their emitters; 0 if there are none. An instance
-  /// with such a triangle counts with the box around it.
-  float behindReach = 0;
+  /// Whether it is ordered: it does not emit, and a surface that may have another place in the order in a plane is a
+  /// copy of it or overlaps it in one plane. A triangle has the mark if it holds in any instance.
+  std::vector<bool> ordered;
+  /// The largest coordinate of all surfaces that are ordered and of those that coincide with them; 0 if there are none.
+  /// An instance with such a triangle counts with the box around it.
+  float orderReach = 0;
 };
 
 /// Searches in O(n log n), where n is what the scene stores, for meshes in which few boxes of triangles overlap, and

@@ -79,7 +79,7 @@ std::vector<vulkan::Specialisation> specialise(const CodeForm& form, const flatt
       {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
       {gpu::kSpecTextureSlots, shape.textureSlots},
       {gpu::kSpecCoincident, shape.coincident},
-      {gpu::kSpecBehindReach, std::bit_cast<std::uint32_t>(shape.behindReach)},
+      {gpu::kSpecOrderReach, std::bit_cast<std::uint32_t>(shape.orderReach)},
       {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
       {gpu::kSpecLens, lensOf(shape, settings)},
       {gpu::kSpecFilter, filterOf(settings)},

@@ -129,9 +129,9 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
                                                 : buildLightTable(scene, settings.image.nextEventEstimation);
   const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
-                             coincidences.coincident, coincidences.behind};
+                             coincidences.coincident, coincidences.ordered};
   noteLights(table, marks.touched, flat.shape.features);
-  flat.shape.behindReach = coincidences.behindReach;
+  flat.shape.orderReach = coincidences.orderReach;
   flat.shape.coincident = coincidentKinds(scene, marks.coincident, settings.image.integrator);
   appendPrimitives(scene, {order, std::move(instances.orders), plan.isInstance}, table, marks, settings.image, flat);
   if (plan.hasInstances()) appendInstances(scene, plan, instances, bounds.coincidentReach, flat);

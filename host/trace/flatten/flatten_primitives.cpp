@@ -26,8 +26,8 @@ std::uint32_t kindWord(const scene::Scene& scene, const PrimitiveContext& contex
   const scene::Primitive& primitive = context.primitive;
   const std::uint32_t touched = context.touched ? gpu::kFlagTouched : 0;
   const std::uint32_t opaque = scene.materials[primitive.material].opaque ? gpu::kFlagOpaque : 0;
-  const std::uint32_t behind = context.behind ? gpu::kFlagBehind : 0;
-  return kindAndFlags | touched | opaque | behind | context.coincidence | primitive.material << gpu::kMaterialShift;
+  const std::uint32_t ordered = context.ordered ? gpu::kFlagOrdered : 0;
+  return kindAndFlags | touched | opaque | ordered | context.coincidence | primitive.material << gpu::kMaterialShift;
 }
 
 void appendShape(const scene::Sphere& sphere, const scene::Scene& scene, const PrimitiveContext& context, Rows& rows) {
@@ -144,7 +144,7 @@ void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::sp
         .reference = light == references.end() ? geometry : light->second,
         .touched = marks.touched[number],
         .coincidence = marks.coincident[number] ? coincidenceFlags(scene, entry, image.integrator) : 0,
-        .behind = marks.behind[number] && !emits};
+        .ordered = marks.ordered[number] && !emits};
     appendPrimitive(scene, context, flat.rows);
   };
   for (const std::uint32_t primitive : order.own) {

@@ -18,14 +18,14 @@ struct PrimitiveContext {
   std::uint32_t reference = 0;    ///< of a sphere: its index in the light table + 1, or 0; of a triangle: its geometry
   bool touched = false;           ///< the surface may contain a light: touched_primitives.h
   std::uint32_t coincidence = 0;  ///< flags of a surface with which another one may coincide
-  bool behind = false;            ///< an emitter that coincides with it is in front of it
+  bool ordered = false;           ///< its place in the order in a plane matters
 };
 
 /// Marks of primitives that depend on others, by number in scene::StoredPrimitives.
 struct PrimitiveMarks {
   std::vector<bool> touched;     ///< result of touchedPrimitives()
   std::vector<bool> coincident;  ///< Coincidences::coincident
-  std::vector<bool> behind;      ///< Coincidences::behind
+  std::vector<bool> ordered;     ///< Coincidences::ordered
 };
 
 /// Returns kFlagCoincident and the flags that tell how rays cross a primitive that coincides with others.

@@ -30,7 +30,7 @@ struct SceneShape {
   std::array<std::uint32_t, gpu::kUniformKindWords> uniformKinds{};  ///< kind and flags of each, a byte a slot
   std::uint32_t textureSlots = 0;                                    ///< a bit for each scene::TextureSlot in use
   std::uint32_t coincident = 0;                                      ///< kCoincident...
-  float behindReach = 0;                                             ///< Coincidences::behindReach
+  float orderReach = 0;                                              ///< Coincidences::orderReach
   bool rowsAhead = false;                                            ///< SmallSceneRule::rowsAhead
 
   render::LayoutInUse layout() const;

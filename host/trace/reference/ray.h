@@ -19,8 +19,8 @@ inline double maxNorm(const dvec3& v) { return std::max({std::abs(v.x), std::abs
 /// How a ray has hit its origin primitive: docs/light-transport.md section 4, coincident surfaces.
 enum class Contact : std::uint8_t {
   none,    ///< at a distance
-  beyond,  ///< at once, beyond a surface that coincides with it and that the ray crossed
-  back,    ///< at once, on the way back
+  beyond,  ///< at once, by a ray that went forth
+  back,    ///< at once, by a ray that went back
 };
 
 /// `direction` is a unit vector. A ray from a surface stores its origin primitive (docs/light-transport.md section 4);

@@ -58,7 +58,7 @@ Surface surfaceAt(const scene::Scene& scene, const Ray& ray, const Hit& hit) {
   surface.primitive = hit.primitive;
   surface.material = primitive.material;
   if (isAtOnce(hit.distance)) {
-    surface.contact = ray.crosses || ray.contact == Contact::back ? Contact::beyond : Contact::back;
+    surface.contact = ray.crosses == (ray.contact != Contact::back) ? Contact::beyond : Contact::back;
   }
 
   const std::optional<dvec2> b = barycentricsOf(scene, ray, primitive);

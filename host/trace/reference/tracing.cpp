@@ -26,7 +26,7 @@ double reachOf(std::span<const Bounds> boxes, const Instances& instances, const 
 
 bool transmits(const scene::Material& material, bool whitted) {
   if (whitted) return material.whitted && material.whitted->kind == scene::WhittedKind::glass;
-  return material.dielectric || (material.surface && material.surface->transmissionWeight > 0);
+  return scene::transmits(material);
 }
 
 // Returns the distance at which a ray hits a shape. A flat one-sided shape is not hit from its back.
@@ -89,8 +89,8 @@ struct HitDistance {
   bool passes(bool isSameSide) const { return isSameSide ? passesSameSide : passesOtherSide; }
 };
 
-// Returns the cosine of the angle between a ray and the normal of a flat shape that it hits at distance t; 0 for
-// others.
+// Returns the cosine of the angle between a ray and the outward normal of a flat shape that it hits at distance t; 0
+// for others.
 struct FlatCosine {
   const Ray& ray;
   double t;
@@ -105,8 +105,31 @@ struct FlatCosine {
   double operator()(const SphereShape&) const { return 0; }
   double operator()(const ConeShape&) const { return 0; }
 
-  double of(const dvec3& normal) const { return std::abs(dot(normal, ray.direction)); }
+  double of(const dvec3& normal) const { return dot(normal, ray.direction); }
 };
+
+// Returns the place of a surface in the order in a plane, apart from its emission, for a ray that enters or exits it.
+int placeInPlane(const Tracing::Item& item, bool enters) {
+  if (!item.transmits) return 3;
+  if (item.thinWalled) return 2;
+  const bool isCurved = std::holds_alternative<SphereShape>(item.shape) ||
+                        std::holds_alternative<ConeShape>(item.shape);
+  return enters && !isCurved ? 4 : 1;
+}
+
+// Returns whether a ray that starts on `origin` hits at once an item that coincides with it. `sameSide`: it enters both
+// of them, or exits both.
+bool hitsAtOnce(const Tracing::Item& item, const Ray& ray, const Tracing::Item& origin, bool sameSide) {
+  if (!ray.crosses && ray.contact == Contact::none) return false;
+  if (!item.transmits && ray.contact == Contact::back) return !ray.crosses;
+  if (!item.transmits && !ray.crosses) return false;
+  if (item.transmits && item.material == origin.material && (sameSide || item.thinWalled)) return false;
+  // A ray that stays on its side goes back, and what comes first for the ray that arrived is hit.
+  const bool entersOrigin = (dot(ray.direction, ray.originNormal) < 0) == ray.crosses;
+  const std::pair here(placeInPlane(origin, entersOrigin), origin.primitive);
+  const std::pair there(placeInPlane(item, entersOrigin == sameSide), item.primitive);
+  return ray.crosses ? here < there : there < here;
+}
 
 bool hasEmissivePrimitive(const scene::Scene& scene) {
   return std::ranges::any_of(scene.primitives.runs(), [&](const scene::PrimitiveRun& run) {
@@ -164,11 +187,11 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     for (Bounds& box : boxes) box = box.padded(padding);
   }
   instances_.build(padding);
-  if (hasEmissivePrimitive(scene)) {
+  if (hasEmissivePrimitive(scene) || std::ranges::any_of(scene.materials, isCrossed)) {
     scene::Coincidences coincidences = scene::findCoincidences(scene);
-    behindReach_ = double{coincidences.behindReach};
-    if (behindReach_ > 0) {
-      behind_ = std::move(coincidences.behind);
+    orderReach_ = double{coincidences.orderReach};
+    if (orderReach_ > 0) {
+      ordered_ = std::move(coincidences.ordered);
       stored_.emplace(scene.primitives);
     }
   }
@@ -211,7 +234,7 @@ Tracing::Item Tracing::madeItem(const scene::Primitive& primitive, std::uint32_t
           emits,
           transmits(material, whitted),
           thinWalled,
-          stored_ && behind_[stored_->indexOf(index)] && !emits,
+          stored_ && ordered_[stored_->indexOf(index)] && !emits,
           primitive.material,
           index};
 }
@@ -223,16 +246,8 @@ const Tracing::Item* Tracing::makeItem(std::uint32_t primitive, std::optional<It
 double Tracing::distance(const Item& item, const Ray& ray, const Item* origin) const {
   const bool startsHere = item.primitive == ray.originPrimitive;
   if (startsHere) origin = nullptr;
-  const bool isContinued = origin && item.transmits && item.material == origin->material;
-  bool passesSameSide = true;
-  bool passesOtherSide = true;
-  if (origin && ray.crosses && ray.contact != Contact::back) {
-    const bool isBehind = item.transmits && item.primitive < origin->primitive;
-    passesSameSide = isBehind || isContinued;
-    passesOtherSide = isBehind || (isContinued && item.thinWalled);
-  } else if (origin && !ray.crosses && ray.contact != Contact::none) {
-    passesSameSide = passesOtherSide = isContinued || (ray.contact == Contact::beyond && !item.transmits);
-  }
+  const bool passesSameSide = !origin || !hitsAtOnce(item, ray, *origin, true);
+  const bool passesOtherSide = !origin || !hitsAtOnce(item, ray, *origin, false);
   return std::visit(
       HitDistance{ray, startsHere, item.oneSided, origin ? &origin->shape : nullptr, passesSameSide, passesOtherSide},
       item.shape);
@@ -243,12 +258,14 @@ bool Tracing::passes(const Item& item, const Ray& ray) const {
 }
 
 double Tracing::comparedDistance(const Item& item, const Ray& ray, double t) const {
-  if (!item.behind || t == kNoHit) return t;
-  if (isAtOnce(t)) return 2 * t;
+  if (!item.ordered || t == kNoHit) return t;
   const double cosine = std::visit(FlatCosine{ray, t}, item.shape);
+  if (cosine == 0) return t;
+  const int place = placeInPlane(item, cosine < 0);
+  if (isAtOnce(t)) return (1 + place) * t;
   const dvec3 origin = abs(ray.origin);
-  const double reach = std::max({behindReach_, origin.x, origin.y, origin.z});
-  return cosine > 0 ? std::min(t + 2 * kCoplanar * reach / cosine, kNoHit / 2) : t;
+  const double reach = std::max({orderReach_, origin.x, origin.y, origin.z});
+  return t + place * 2 * kCoplanar * reach / std::abs(cosine);
 }
 
 Hit Tracing::closest(const Ray& ray, Counters& counters) const {

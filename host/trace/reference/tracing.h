@@ -47,15 +47,15 @@ class Tracing {
     bool emits;
     bool transmits;
     bool thinWalled;  ///< transmits without bounding a volume
-    bool behind;      ///< an emitter that coincides with it is in front of it
+    bool ordered;     ///< its place in the order in a plane matters
     std::uint32_t material;
     std::uint32_t primitive;
   };
 
-  /// A hit as it is compared with others. Of equal distances, those behind emitters come last, then the higher indices.
+  /// A hit as it is compared with others. Of equal distances, ordered ones come last, then the higher indices.
   struct Candidate {
     double distance = kNoHit;
-    bool behind = true;
+    bool ordered = true;
     std::uint32_t primitive = kNoPrimitive;
 
     auto operator<=>(const Candidate&) const = default;
@@ -96,7 +96,7 @@ class Tracing {
   double distance(const Item& item, const Ray& ray, const Item* origin) const;
   /// `t` is the distance at which `ray` hits the item.
   Candidate candidate(const Item& item, const Ray& ray, double t) const {
-    return {comparedDistance(item, ray, t), item.behind, item.primitive};
+    return {comparedDistance(item, ray, t), item.ordered, item.primitive};
   }
   /// Returns whether the item, which `ray` hits at distance `t` before its `end`, contains the light there. `fraction`
   /// is kLightMargin, or the same perturbed by rounding.
@@ -126,9 +126,9 @@ class Tracing {
   std::vector<Item> items_;
   std::vector<std::uint32_t> itemOf_;  ///< index in items_ of each primitive that may be hit; empty with instances
   std::size_t firstOutside_ = 0;       ///< index of the first item outside of the structure
-  double behindReach_ = 0;             ///< largest coordinate of the items that are behind emitters, and of these
-  std::vector<bool> behind_;           ///< by number in stored_
-  std::optional<scene::StoredPrimitives> stored_;  ///< nothing if no primitive is behind an emitter
+  double orderReach_ = 0;      ///< largest coordinate of the items that are ordered, and of those in their planes
+  std::vector<bool> ordered_;  ///< by number in stored_
+  std::optional<scene::StoredPrimitives> stored_;  ///< nothing if no primitive is ordered
   Hierarchy hierarchy_;                            ///< over items_
   Instances instances_;
   Grid grid_;

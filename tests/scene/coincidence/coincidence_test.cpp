@@ -122,7 +122,7 @@ TEST_CASE("flat surfaces of every kind that overlap in one plane are found, at a
   CHECK(found.copies.size() == 0);
 }
 
-TEST_CASE("what does not emit is behind the emitters with which it coincides") {
+TEST_CASE("what does not emit is ordered where it coincides with emitters") {
   SceneBuilder b = grey();
   b.quad({-4, -4, 3}, {4, -4, 3}, {4, 4, 3}, {-4, 4, 3});      // 0, 1
   b.quad({-1, -1, 3}, {-2, -1, 3}, {-2, -2, 3}, {-1, -2, 3});  // 2, 3: a decal beside the lamp
@@ -132,8 +132,28 @@ TEST_CASE("what does not emit is behind the emitters with which it coincides") {
   b.triangle({1, 1, 3}, {2, 1, 3}, {1, 2, 3}).sphere({9, 0, 0}, -2);  // 8, 9
   const Coincidences found = findCoincidences(b.scene);
   // The diagonal of the ceiling from (-4, -4) to (4, 4) divides the lamp.
-  CHECK(found.behind == std::vector<bool>{true, true, false, false, true, true, true, false, false, false});
-  CHECK(found.behindReach == 11);
+  CHECK(found.ordered == std::vector<bool>{true, true, false, false, true, true, true, false, false, false});
+  CHECK(found.orderReach == 11);
+}
+
+TEST_CASE("what may have another place in a plane than what it coincides with is ordered") {
+  scene::Material foil;
+  foil.surface = scene::SurfaceParameters{.transmissionWeight = 1, .isThinWalled = true};
+  const scene::Material wood = diffuseMaterial(vec3(0.5f)), glass = test::glassMaterial(vec3(1), 1.5f);
+  const auto orderedOf = [](const scene::Material& first, const scene::Material& second) {
+    SceneBuilder b;
+    b.material(first).triangle({-4, -4, 3}, {4, -4, 3}, {0, 4, 3});
+    b.material(second).triangle({-1, -1, 3}, {1, -1, 3}, {0, 1, 3}).triangle({7, 7, 3}, {9, 7, 3}, {9, 9, 3});
+    return findCoincidences(b.scene).ordered;
+  };
+  const std::vector<bool> both{true, true, false}, none{false, false, false};
+  CHECK(orderedOf(wood, wood) == none);
+  CHECK(orderedOf(foil, foil) == none);
+  CHECK(orderedOf(glass, glass) == both);  // one may be entered where the other is exited
+  CHECK(orderedOf(wood, glass) == both);
+  CHECK(orderedOf(foil, wood) == both);
+  CHECK(orderedOf(glass, foil) == both);
+  CHECK(orderedOf(diffuseMaterial(vec3(0), vec3(1)), foil) == std::vector<bool>{false, true, false});
 }
 
 TEST_CASE("parallel planes with a gap above the tolerance do not coincide") {

@@ -545,3 +545,89 @@ TEST_CASE("an emitter that exists twice gives the light of one, with and without
     }
   });
 }
+
+namespace {
+
+// A frame of orthogonal axes along which all coordinates are rounded.
+struct Tilted {
+  double scale;
+
+  vec3 at(double x, double y, double z) const {
+    const glm::dvec3 right = glm::normalize(glm::dvec3(0.9, 0.3, -0.2));
+    const glm::dvec3 up = glm::normalize(glm::cross(glm::dvec3(-0.1, 0.2, 0.95), right));
+    return vec3(scale * (glm::dvec3(0.3, -0.7, 0.2) + x * right + y * up + z * glm::cross(right, up)));
+  }
+};
+
+// A block, of which the faces towards -z and +z have their own diagonals and sizes.
+void addTiltedBlock(SceneBuilder& b, const Tilted& t, double half, double low, double high) {
+  const auto corner = [&](int x, int y, int z) {
+    return t.at(x ? half : -half, y ? 0.9 * half : -0.9 * half, z ? high : low);
+  };
+  b.quad(corner(0, 0, 0), corner(0, 1, 0), corner(1, 1, 0), corner(1, 0, 0));
+  b.quad(corner(0, 0, 1), corner(1, 0, 1), corner(1, 1, 1), corner(0, 1, 1));
+  b.quad(corner(0, 0, 0), corner(1, 0, 0), corner(1, 0, 1), corner(0, 0, 1));
+  b.quad(corner(1, 0, 0), corner(1, 1, 0), corner(1, 1, 1), corner(1, 0, 1));
+  b.quad(corner(1, 1, 0), corner(0, 1, 0), corner(0, 1, 1), corner(1, 1, 1));
+  b.quad(corner(0, 1, 0), corner(0, 0, 0), corner(0, 0, 1), corner(0, 1, 1));
+}
+
+void addTiltedSheet(SceneBuilder& b, const Tilted& t, double half, double z) {
+  b.quad(t.at(-half, -half, z), t.at(half, -0.8 * half, z), t.at(half, half, z), t.at(-0.9 * half, half, z));
+}
+
+}  // namespace
+
+TEST_CASE("surfaces in one plane show what they show with a gap between them, from both sides, in either order") {
+  const scene::Material paper = diffuseMaterial(vec3(0.7f));
+  scene::Material foil = clearGlass(1.5f, true);
+  foil.surface->baseColour = vec3(0.5f);
+  const scene::Material glass = clearGlass(1.5f), water = clearGlass(1.33f);
+  using Add = std::function<void(SceneBuilder&, const Tilted&, double)>;  // with the height of what is in the plane
+  const auto sheet = [](const scene::Material& material, double half) -> Add {
+    return [=](SceneBuilder& b, const Tilted& t, double z) { b.material(material), addTiltedSheet(b, t, half, z); };
+  };
+  const auto blockAbove = [](const scene::Material& material) -> Add {
+    return [=](SceneBuilder& b, const Tilted& t, double z) { b.material(material), addTiltedBlock(b, t, 0.8, z, 0.5); };
+  };
+  const auto blockBelow = [](const scene::Material& material) -> Add {
+    return
+        [=](SceneBuilder& b, const Tilted& t, double z) { b.material(material), addTiltedBlock(b, t, 0.9, -0.5, z); };
+  };
+  struct Case {
+    std::string name;
+    Add fixed, moved;
+    double gap;
+    double view;   // height of the eye
+    double scale;  // unit of length
+  };
+  constexpr double kGap = 1e-3;
+  const std::vector<Case> cases{
+      {"foil on paper, from above", sheet(paper, 7), sheet(foil, 0.8), kGap, 2, 1},
+      {"foil on paper, from below", sheet(paper, 7), sheet(foil, 0.8), -kGap, -2, 30},
+      {"glass on paper, from above", sheet(paper, 7), blockAbove(glass), kGap, 2, 30},
+      {"label on glass, from the label's side", blockAbove(glass), sheet(paper, 0.5), -kGap, -2, 1},
+      {"glass on water, from above", blockBelow(water), blockAbove(glass), kGap, 2, 1},
+      {"glass on water, from below", blockBelow(water), blockAbove(glass), kGap, -2, 30},
+      {"glass on glass, from above", blockBelow(glass), blockAbove(glass), kGap, 2, 30}};
+  onBothTracers([&](const RenderFunction& renderScene) {
+    for (const Case& c : cases) {
+      const auto mean = [&](bool movedFirst, double z) {
+        const Tilted t{c.scale};
+        SceneBuilder b;
+        b.scene.background = vec3(1);
+        b.view(t.at(1.5, 0.3, c.view), t.at(0, 0, 0.1 * c.view), {0, 0, 1}, 20);
+        if (movedFirst) c.moved(b, t, z);
+        c.fixed(b, t, 0);
+        if (!movedFirst) c.moved(b, t, z);
+        render::RenderSettings settings = settingsOf(16, 256);
+        settings.image.maxDepth = 64;
+        return meanLuminance(renderScene(b.scene, settings).film);
+      };
+      CAPTURE(c.name);
+      const double apart = mean(false, c.gap);
+      CHECK(mean(false, 0) == Approx(apart).epsilon(0.005));
+      CHECK(mean(true, 0) == Approx(apart).epsilon(0.005));
+    }
+  });
+}
