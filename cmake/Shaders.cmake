@@ -49,13 +49,16 @@ function(candela_spirv_hash target)
   target_sources(${target} PRIVATE ${header})
 endfunction()
 
-# One test spirv_val_NAME for every shader that has been passed to candela_shaders so far.
+# One test spirv_val_NAME for every shader that has been passed to candela_shaders so far, and one test of the capabilities of all.
 function(candela_spirv_tests)
   find_program(SPIRV_VAL spirv-val REQUIRED)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
   get_property(modules GLOBAL PROPERTY CANDELA_SPIRV)
   list(REMOVE_DUPLICATES modules)
   foreach(spv ${modules})
     get_filename_component(name ${spv} NAME_WE)
     add_test(NAME spirv_val_${name} COMMAND ${SPIRV_VAL} --target-env vulkan1.2 ${spv})
   endforeach()
+  add_test(NAME "no module reads values of other invocations of its subgroup"
+    COMMAND Python3::Interpreter ${PROJECT_SOURCE_DIR}/tests/architecture/test_subgroups.py ${modules})
 endfunction()
