@@ -37,7 +37,7 @@ INSTRUCTION_POINTER = 16 * 8
 ALL_THREADS = 0x40000000  # __WALL
 
 STEPS = 12000
-DISPATCHES = (1, 4_000_000)  # numbers of workgroups; the first one does what a driver postpones to the first execution
+DISPATCHES = (1, 4_000_000)  # numbers of workgroups; one with a single iteration is for what a driver postpones to the first execution
 ROUNDS = 60000  # lavapipe 22.3.6 ends loops after 65,535 iterations
 WORDS = 1024    # of buffer 0
 RECORDS = 512   # of 16 bytes, of buffer 1
@@ -49,7 +49,7 @@ libc.ptrace.argtypes = [ctypes.c_long, ctypes.c_long, ctypes.c_void_p, ctypes.c_
 
 def header(title, texels, push, groups):
     second = "USE_TEXEL" if texels else "USE_STORAGE"
-    commands = ", ".join(f"{{.kind = COMMAND_DISPATCH, .module = 0, .buffers = {{0, 1}}, .push = {{{push[0]}u, {push[1]}u}}, .groups = {{{count}, 1, 1}}}}"
+    commands = ", ".join(f"{{.kind = COMMAND_DISPATCH, .module = 0, .buffers = {{0, 1}}, .push = {{{min(push[0], 1) if count == 1 else push[0]}u, {push[1]}u}}, .groups = {{{count}, 1, 1}}}}"
                          for count in groups)
     return f"""#define CAPTURE_TITLE "{title}"
 #define CAPTURE_DEVICE "llvmpipe"
