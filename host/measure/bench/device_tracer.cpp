@@ -13,7 +13,7 @@ std::vector<Choice> choices(Choice asked, Choice first, Choice second) {
 
 DeviceTracer::DeviceTracer(vulkan::Device& device, const flatten::FlatScene& flat,
                            const render::RenderSettings& settings)
-    : caster_(device, flat, settings) {}
+    : onGpu_(!device.info().isSoftware()), caster_(device, flat, settings) {}
 
 render::LayoutInUse DeviceTracer::layout() const {
   const render::LayoutInUse layout = caster_.shape().layout();

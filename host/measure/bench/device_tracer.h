@@ -16,6 +16,7 @@ class DeviceTracer : public RayTracer {
   void load(std::span<const gpu::CastRay> rays, bool anyHit) override { caster_.load(rays, anyHit); }
   double trace() override { return caster_.trace(); }
   std::vector<gpu::CastHit> hits() override { return caster_.hits(); }
+  bool needsWarmUp() const override { return onGpu_; }
 
   render::LayoutInUse layout() const;  ///< list: all primitives are tested
   render::SceneLoads sceneLoads() const {
@@ -24,6 +25,7 @@ class DeviceTracer : public RayTracer {
   std::uint64_t sceneBytes() const { return caster_.sceneBytes(); }
 
  private:
+  bool onGpu_;
   device::RayCaster caster_;
 };
 

@@ -111,6 +111,9 @@ std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const sc
     Measurement& measurement = measurements[index];
     const bool wasPrepared = sessions.isPrepared(index);
     render::Session& session = sessions.get(index, measurement.variant.settings);
+    const std::optional<WarmUpWork> warmed = warmUp(session, measurement.variant.settings.image, control);
+    if (!warmed) return {};
+    measurement.warmUp.add(*warmed);
     const render::SampleRange all{0, measurement.variant.settings.image.sampleCount};
     if (!session.advance(all, partOf(control, run, runs, samples))) return {};
     render::RenderStatistics statistics = session.statistics();

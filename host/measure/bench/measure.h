@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/measure/bench/warm_up.h"
 #include "host/trace/render/renderer.h"
 
 namespace candela::bench {
@@ -25,6 +26,7 @@ struct Measurement {
   std::vector<double> traceSeconds{};  ///< one per run, ascending; without compilation of the pipeline
   std::vector<double> buildSeconds{};  ///< build times of the acceleration structure, one per preparation, ascending
   double pipelineSeconds = 0;          ///< seconds in the first run, in which the driver compiles
+  WarmUpWork warmUp{};                 ///< before all runs together
   bool agrees = true;  ///< every run was complete, and its film is that of the majority of runs of the same image
   /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() has measured it.
   std::optional<double> relMse{};
@@ -42,9 +44,9 @@ enum class Preparation {
   everyRun  ///< for each run, so that the build of the acceleration structure is measured as often as tracing
 };
 
-/// Runs every variant `repeats` times, interleaved. Returns one measurement per variant, in their order, or none at all
-/// if `control` stops a run, since the results would be incomplete.
-/// Throws the exceptions of Renderer::prepare and Session::advance.
+/// Runs every variant `repeats` times, interleaved, on GPUs each time after warmUp(). Returns one measurement per
+/// variant, in their order, or none at all if `control` stops a run, since the results would be incomplete. Throws the
+/// exceptions of Renderer::prepare and Session::advance.
 std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const scene::Scene& scene,
                                             std::span<const Variant> variants, std::uint32_t repeats,
                                             const render::RenderControl& control,

@@ -36,13 +36,21 @@ double meanSteps(std::span<const gpu::CastHit> hits) {
   return sum / static_cast<double>(hits.size());
 }
 
+void warmUp(RayTracer& tracer, RayMeasurement& measurement, const std::atomic<bool>* stop) {
+  WarmUp warmUp;
+  while (!warmUp.isDone() && (stop == nullptr || !*stop)) {
+    warmUp.add(tracer.trace(), static_cast<double>(measurement.rayCount));
+  }
+  measurement.warmUp.add(warmUp.work());
+}
+
 void time(RayTracer& tracer, RayMeasurement& measurement) {
   const double before = processorSeconds();
   measurement.seconds.push_back(tracer.trace());
   measurement.processorSeconds.push_back(processorSeconds() - before);
 }
 
-// Loads the rays, warms up, and compares the hits with those of the first tracer.
+// Loads the rays, traces them once, so that the driver compiles, and compares the hits with those of the first tracer.
 std::vector<RayMeasurement> prepare(std::span<RayTracer* const> tracers, std::span<const gpu::CastRay> rays,
                                     std::uint32_t kind) {
   std::vector<RayMeasurement> measurements;
@@ -76,6 +84,7 @@ std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, con
     std::vector<RayMeasurement> measurements = prepare(tracers, sets[kind], kind);
     for (std::uint32_t run = 0; run < repeats; ++run) {
       for (std::size_t i = 0; i < tracers.size(); ++i) {
+        if (tracers[i]->needsWarmUp()) warmUp(*tracers[i], measurements[i], stop);
         if (stop != nullptr && *stop) return {};
         time(*tracers[i], measurements[i]);
       }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host/measure/bench/warm_up.h"
 #include "host/trace/device/ray_caster.h"
 
 namespace candela::bench {
@@ -27,6 +28,8 @@ class RayTracer {
   /// Returns whether distances must equal those of the first tracer to the last bit; otherwise only primitives are
   /// compared.
   virtual bool isExact() const { return true; }
+  /// Returns whether each timed run follows a warm-up, because the clock of a GPU falls while it has nothing to do.
+  virtual bool needsWarmUp() const { return false; }
 };
 
 /// Measurements of rays of one kind with one tracer.
@@ -37,13 +40,15 @@ struct RayMeasurement {
   double equalFraction = 1;                ///< fraction of rays whose hits equal those of the first tracer
   std::vector<double> seconds{};           ///< one per run, ascending
   std::vector<double> processorSeconds{};  ///< user and system time of this process, ascending
+  WarmUpWork warmUp{};                     ///< before all runs together
 
   double mraysPerSecond() const;  ///< at the median time
   double mraysPerProcessorSecond() const;
 };
 
-/// Measures every kind of rays with every tracer: one run for warm-up and comparison of the hits, then `repeats`
-/// interleaved runs. The order is by kind, then by tracer. Returns nothing if `stop` became true.
+/// Measures every kind of rays with every tracer: one run for compilation and comparison of the hits, then `repeats`
+/// interleaved runs, each after a warm-up if the tracer needs one. The order is by kind, then by tracer. Returns
+/// nothing if `stop` became true.
 std::vector<RayMeasurement> measureRays(std::span<RayTracer* const> tracers, const device::RaySets& sets,
                                         std::uint32_t repeats, const std::atomic<bool>* stop);
 

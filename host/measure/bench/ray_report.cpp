@@ -47,9 +47,15 @@ TextTable tableOf(const RayReport& report) {
 }
 
 std::string headline(const RayReport& report) {
-  return fmt::format("candela {} on {}, {}; {} pixels, workgroup {}; median of {}, runs interleaved", versionText(),
-                     report.device, report.driver, extentText(report.size), extentText(report.workgroup),
-                     report.repeats);
+  WarmUpWork warmUp;
+  std::size_t runs = 0;
+  for (const RayRow& row : report.rows) {
+    warmUp.add(row.measurement.warmUp);
+    runs += row.measurement.seconds.size();
+  }
+  return fmt::format("candela {} on {}, {}; {} pixels, workgroup {}; {}", versionText(), report.device, report.driver,
+                     extentText(report.size), extentText(report.workgroup),
+                     repetitionText(report.repeats, warmUp, runs));
 }
 
 ordered_json rowJson(const RayReport& report, const RayRow& row) {
@@ -68,6 +74,8 @@ ordered_json rowJson(const RayReport& report, const RayRow& row) {
   if (agrees(row)) {
     json["medianSeconds"] = median(m.seconds);
     json["spread"] = spread(m.seconds);
+    json["warmUpSeconds"] = m.warmUp.seconds;
+    json["warmUpPasses"] = m.warmUp.passes;
     json["processorSeconds"] = median(m.processorSeconds);
     json["mraysPerSecond"] = m.mraysPerSecond();
     json["stepsPerRay"] = m.stepsPerRay;

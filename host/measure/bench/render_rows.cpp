@@ -32,6 +32,8 @@ void addFigures(const Measurement& m, ordered_json& json) {
   const double seconds = median(m.traceSeconds);
   json["medianSeconds"] = seconds;
   json["spread"] = spread(m.traceSeconds);
+  json["warmUpSeconds"] = m.warmUp.seconds;
+  json["warmUpPasses"] = m.warmUp.passes;
   json["buildSeconds"] = median(m.buildSeconds);
   json["pipelineSeconds"] = m.pipelineSeconds;
   json["msamplesPerSecond"] = m.msamplesPerSecond();
@@ -99,12 +101,19 @@ ordered_json reportJson(const RenderRows& report) {
   return reportJson(kBenchSchema, statistics.device, statistics.driver, report.repeats, report.agree());
 }
 
-std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats) {
+std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats,
+                     std::span<const RenderRow> rows) {
   const std::string driver = statistics.driver.empty() ? "" : ", " + statistics.driver;
-  return fmt::format("candela {} on {}{}; median of {}, runs interleaved", versionText(), statistics.device, driver,
-                     repeats);
+  WarmUpWork warmUp;
+  std::size_t runs = 0;
+  for (const RenderRow& row : rows) {
+    warmUp.add(row.measurement.warmUp);
+    runs += row.measurement.traceSeconds.size();
+  }
+  return fmt::format("candela {} on {}{}; {}", versionText(), statistics.device, driver,
+                     repetitionText(repeats, warmUp, runs));
 }
 
-std::string headline(const RenderRows& report) { return headline(firstOf(report), report.repeats); }
+std::string headline(const RenderRows& report) { return headline(firstOf(report), report.repeats, report.rows); }
 
 }  // namespace candela::bench

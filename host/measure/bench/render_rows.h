@@ -2,6 +2,7 @@
 #pragma once
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -39,8 +40,10 @@ nlohmann::ordered_json reportJson(const std::string& schema, const std::string& 
 /// Returns these fields for a benchmark of renders, whose schema is kBenchSchema.
 nlohmann::ordered_json reportJson(const RenderRows& report);
 
-/// Returns e.g. "candela 0.1.0 on llvmpipe, Mesa 22.3.6; median of 3, runs interleaved".
-std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats);
+/// Returns e.g. "candela 0.1.0 on llvmpipe, Mesa 22.3.6; median of 3, runs interleaved" for these rows; see
+/// repetitionText(). The statistics are those of any row.
+std::string headline(const render::RenderStatistics& statistics, std::uint32_t repeats,
+                     std::span<const RenderRow> rows);
 std::string headline(const RenderRows& report);
 
 }  // namespace candela::bench

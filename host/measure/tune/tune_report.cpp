@@ -54,7 +54,13 @@ TextTable tableOf(const TuneReport& report) {
   return table;
 }
 
-std::string headline(const TuneReport& report) { return bench::headline(statisticsOf(report), report.repeats); }
+std::string headline(const TuneReport& report) {
+  std::vector<RenderRow> all;
+  for (const Round& round : report.result.rounds) {
+    for (const Row& row : round.rows) all.insert(all.end(), row.scenes.begin(), row.scenes.end());
+  }
+  return bench::headline(statisticsOf(report), report.repeats, all);
+}
 
 std::string verdict(const TuneReport& report) {
   const SearchResult& result = report.result;

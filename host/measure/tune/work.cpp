@@ -35,10 +35,14 @@ render::Extent shrunk(const render::Extent& largest, double pixels) {
   return {side(largest.width), side(largest.height)};
 }
 
+// Returns the seconds of a render, on a GPU at the clock that timed runs will have.
 double secondsOf(render::Renderer& renderer, const Work& work, const render::RenderControl& control) {
-  render::RenderResult result = renderer.render(work.scene, work.settings, control);
-  if (result.interrupted) throw InterruptedError("interrupted; nothing is written");
-  return result.statistics.seconds["trace"];
+  const std::unique_ptr<render::Session> session = renderer.prepare(work.scene, work.settings);
+  const render::ImageSettings& image = work.settings.image;
+  if (!bench::warmUp(*session, image, control) || !session->advance({0, image.sampleCount}, control)) {
+    throw InterruptedError("interrupted; nothing is written");
+  }
+  return session->statistics().seconds["trace"];
 }
 
 // Multiplies the work by `factor`: first the number of pixels, up to its limit, then the number of samples.

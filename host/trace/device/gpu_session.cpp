@@ -83,6 +83,7 @@ void GpuSession::prepareScene() {
 void GpuSession::describe() {
   prepared_.device = context_->device.info().name;
   prepared_.driver = context_->device.info().driver;
+  prepared_.onGpu = !context_->device.info().isSoftware();
   prepared_.platform = fmt::format("driver {}, pipeline cache {}", context_->device.info().driverUuid,
                                    context_->device.info().pipelineCacheUuid);
   prepared_.kernels = kernelsHash();

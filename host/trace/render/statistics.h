@@ -24,6 +24,7 @@ inline constexpr const char* kReferenceDevice = "cpu";
 struct RenderStatistics {
   std::string device;  ///< e.g. "llvmpipe (LLVM 15.0.6, 256 bits)" or kReferenceDevice
   std::string driver;  ///< e.g. "llvmpipe Mesa 22.3.6", empty for the reference
+  bool onGpu = false;  ///< the device is a GPU; false for devices in software and the reference
   /// The conditions on which the bytes of a film depend besides device, driver and kernels: the UUIDs of the driver and
   /// of its pipeline cache; for the reference: compiler, C library and instruction set.
   std::string platform;

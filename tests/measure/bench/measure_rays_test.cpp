@@ -36,6 +36,9 @@ class FakeTracer : public RayTracer {
     return result;
   }
   bool isExact() const override { return exact_; }
+  bool needsWarmUp() const override { return onGpu; }
+
+  bool onGpu = false;
 
  private:
   std::string name_;
@@ -68,6 +71,24 @@ TEST_CASE("for each kind of rays, every tracer warms up, and all run once before
   CHECK(measurements[0].stepsPerRay == 10);
   CHECK(measurements[3].kind == gpu::kShadowRay);
   CHECK(measurements[3].rayCount == 2);
+}
+
+TEST_CASE("a tracer on a GPU traces rays untimed before every timed run") {
+  std::vector<std::string> log;
+  FakeTracer a("a", log), gpu("gpu", log);
+  gpu.onGpu = true;
+  RayTracer* const tracers[]{&a, &gpu};
+  const auto measurements = measureRays(tracers, setsOf(4, 0), 2, nullptr);
+  CHECK(log == std::vector<std::string>{"a", "gpu", "a", "gpu", "gpu", "a", "gpu", "gpu"});
+  REQUIRE(measurements.size() == 2);
+  CHECK(measurements[1].seconds == std::vector<double>{3, 5});
+  CHECK(measurements[1].warmUp.seconds == 2 + 4);
+  CHECK(measurements[1].warmUp.passes == 2);
+  CHECK(measurements[0].warmUp.passes == 0);
+  RayReport report{"device", "driver", {8, 8}, {64, 64}, 2, {}};
+  report.rows.push_back({"room", 1, "bvh2", render::SceneLoads::texel, 1024, measurements[1]});
+  CHECK_THAT(toText(report), Contains("each after a warm-up of 3.00 s"));
+  CHECK(toJson(report)["rows"][0]["warmUpSeconds"] == 6);
 }
 
 TEST_CASE("a kind without rays is omitted, and a stop gives no measurements") {

@@ -22,7 +22,7 @@ class MadeRenderer final : public test::OneShotRenderer {
     renders.push_back(settings);
     render::RenderResult result;
     result.film = image::Film(1, 1);
-    result.statistics.seconds["trace"] = secondsOf(settings);
+    result.statistics.seconds["trace"] = secondsOf(settings) * (renders.size() <= coldRenders ? 4 : 1);
     result.statistics.samples = 10;
     if (control.progress) control.progress(1, 10);
     result.interrupted = renders.size() > stopAfter_;
@@ -34,6 +34,7 @@ class MadeRenderer final : public test::OneShotRenderer {
   }
 
   std::vector<render::RenderSettings> renders;
+  std::size_t coldRenders = 0;  ///< the first ones take four times as long
 
  private:
   double samplesPerSecond_;
@@ -57,6 +58,15 @@ TEST_CASE("a run takes a fifth of a second on devices of any speed that allows i
     CHECK(renderer.secondsOf(work.settings) < 1.6 * kRunSeconds);
     CHECK(work.settings.image.size.width / 1.6 == Approx(work.settings.image.size.height).margin(1));
   }
+}
+
+TEST_CASE("on a GPU, the work is chosen at the clock of timed runs") {
+  MadeRenderer renderer(1e8, 100000);
+  renderer.onGpu = true;
+  renderer.coldRenders = 100;
+  Work work = workOf({640, 400});
+  fitToDevice(renderer, {}, {}, work);
+  CHECK(renderer.secondsOf(work.settings) > 0.4 * kRunSeconds);
 }
 
 TEST_CASE("the image grows to the scene's size before it gets more than one sample per pixel") {

@@ -10,6 +10,8 @@ namespace candela::test {
 /// The derived class defines the result of a whole render; its sessions cannot continue films.
 class OneShotRenderer : public render::Renderer {
  public:
+  bool onGpu = false;  ///< what its sessions state about their device
+
   virtual render::RenderResult renderOnce(const scene::Scene& scene, const render::RenderSettings& settings,
                                           const render::RenderControl& control) = 0;
 
@@ -36,7 +38,11 @@ class OneShotRenderer : public render::Renderer {
       throw std::logic_error("this renderer has no camera");
     }
     void load(const image::Film&, std::uint32_t) override { throw std::logic_error("this renderer continues no film"); }
-    render::RenderStatistics statistics() override { return result_.statistics; }
+    render::RenderStatistics statistics() override {
+      render::RenderStatistics statistics = result_.statistics;
+      statistics.onGpu = renderer_.onGpu;
+      return statistics;
+    }
     render::PathRecorder* recorder() override { return this; }
     render::PathRecords paths() override { return result_.paths; }
 
