@@ -25,15 +25,17 @@ constexpr std::array kBenchmarks{
     Benchmark{"table1", 0, 0, "has its own scenes; use bench accel for others", runBenchStructures},
     Benchmark{"accel", 1, kAnyNumber, "no scene given", runBenchStructures},
     Benchmark{"rays", 1, kAnyNumber, "no scene given", runBenchRays},
+    Benchmark{"error", 1, kAnyNumber, "no list of pictures given", runBenchError},
     Benchmark{"compare", 2, 2, "expected two reports, the old one and the new one", runBenchCompare}};
 
 // A word that is neither a benchmark nor a file is regarded as a mistyped benchmark.
 [[noreturn]] void refuse(const std::string& word) {
   std::vector<std::string> names;
   for (const Benchmark& benchmark : kBenchmarks) names.emplace_back(benchmark.name);
-  throw UsageError(fmt::format(
-      "bench {}: neither a benchmark (table1, accel, rays, compare) nor a scene file{}\nsee candela bench --help", word,
-      didYouMean(word, names)));
+  throw UsageError(
+      fmt::format("bench {}: neither a benchmark (table1, accel, rays, error, compare) nor a scene file{}\nsee candela "
+                  "bench --help",
+                  word, didYouMean(word, names)));
 }
 
 void requireFiles(const Benchmark& benchmark, std::size_t count) {
@@ -43,7 +45,7 @@ void requireFiles(const Benchmark& benchmark, std::size_t count) {
 
 // Refuses options that the other benchmarks choose themselves.
 void refuseOptionsOfScenes(const Benchmark& benchmark, const BenchArguments& arguments) {
-  for (const char* const option : {"--sweep", "--svg", "--accel", "--bvh-split"}) {
+  for (const char* const option : {"--sweep", "--svg", "--error", "--accel", "--bvh-split"}) {
     if (!arguments.given.contains(option)) continue;
     throw UsageError(fmt::format("bench {} {}: this option applies only to bench SCENE", benchmark.name, option));
   }

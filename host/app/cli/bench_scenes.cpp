@@ -10,6 +10,7 @@
 #include "host/app/cli/render_job.h"
 #include "host/app/cli/sweep.h"
 #include "host/base/counted.h"
+#include "host/base/errors.h"
 #include "host/base/progress.h"
 #include "host/measure/bench/sweep_report.h"
 
@@ -47,7 +48,16 @@ bool measureScene(const BenchArguments& arguments, render::Renderer& renderer, c
   const render::RenderControl control = makeControl(progress);
   std::vector<Measurement> measurements = bench::measureInterleaved(renderer, job.scene(), variants, arguments.repeats,
                                                                     control);
-  if (measurements.empty() || !bench::measureNoise(renderer, job.scene(), measurements, control)) return false;
+  if (measurements.empty()) return false;
+  if (arguments.errorPictures > 0) {
+    log.note(fmt::format("{}: error of {}, and a reference of {} times their samples", job.scene().name,
+                         counted(arguments.errorPictures, "picture"),
+                         bench::kReferenceSamples * arguments.errorPictures));
+  }
+  const bool complete = arguments.errorPictures > 0
+                            ? bench::measureError(renderer, job.scene(), measurements, arguments.errorPictures, control)
+                            : bench::measureNoise(renderer, job.scene(), measurements, control);
+  if (!complete) return false;
   for (Measurement& measurement : measurements) {
     report.rows.push_back({job.scene().name, job.scene().hash, std::move(measurement)});
   }
@@ -57,6 +67,10 @@ bool measureScene(const BenchArguments& arguments, render::Renderer& renderer, c
 }  // namespace
 
 ExitCode runBenchScenes(const BenchArguments& arguments, const Log& log) {
+  if (arguments.errorPictures == 1) throw UsageError("--error 1: an error needs at least 2 pictures, better 8");
+  if (arguments.errorPictures > 0 && arguments.repeats < 2) {
+    throw UsageError("--error: the time needs at least two runs; use --repeat 2 or more");
+  }
   sweepOver(arguments);  // reports errors before any scene is loaded
   const std::unique_ptr<render::Renderer> renderer = makeRenderer(arguments, log);
   SweepReport report;

@@ -71,6 +71,7 @@ struct GenerateArguments : GeneralArguments, WrittenSceneArguments {
 struct BenchArguments : TracingArguments, RepeatArguments, JsonArguments, MarkdownArguments, SvgArguments {
   static constexpr Command command = Command::bench;
   std::vector<std::string> sweeps;  ///< in the notation of sweepOver()
+  std::uint32_t errorPictures = 0;  ///< with which the error in equal time is measured; 0: it is not
   double threshold = 0.05;          ///< fraction of its speed that a row may lose
 };
 

@@ -38,9 +38,10 @@ std::span<const CommandInfo> commandTable() {
       {Command::denoise, "denoise", "denoise FILE -o FILE", "denoise a film file", "film file", 1, 1},
       {Command::merge, "merge", "merge FILM... -o FILE", "merge films of parts of a render", "film file", 1,
        kUnlimited},
-      {Command::bench, "bench", "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json",
+      {Command::bench, "bench",
+       "bench SCENE... | table1 | accel SCENE... | rays SCENE... | compare OLD.json NEW.json | error RUNS.json...",
        "time renders of scenes, acceleration structures (table1: on the built-in scenes mirror and balls) or rays "
-       "alone, or compare two of the resulting reports",
+       "alone, compare two of the resulting reports, or compare the errors of renderers in equal time",
        "benchmark", 1, kUnlimited},
       {Command::tune, "tune", "tune [SCENE...]",
        "measure which settings are fastest on a device, and store them as the meaning of `auto`", "scene", 0,

@@ -49,6 +49,7 @@ ExitCode run(const BoxesArguments& arguments, const Log& log);
 ExitCode runBenchStructures(const BenchArguments& arguments, const Log& log);  ///< `table1`, `accel`
 ExitCode runBenchRays(const BenchArguments& arguments, const Log& log);        ///< `rays`
 ExitCode runBenchScenes(const BenchArguments& arguments, const Log& log);      ///< scenes
+ExitCode runBenchError(const BenchArguments& arguments, const Log& log);       ///< `error`
 ExitCode runBenchCompare(const BenchArguments& arguments, const Log& log);     ///< `compare`
 
 }  // namespace candela::cli

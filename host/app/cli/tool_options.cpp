@@ -8,6 +8,7 @@ namespace candela::cli {
 namespace {
 
 constexpr std::uint32_t kMaxRepeats = 1000;
+constexpr std::uint32_t kMaxErrorPictures = 1000;
 const std::vector<std::pair<std::string, view::Mode>> kModes{{"device", view::Mode::device},
                                                              {"reference", view::Mode::reference},
                                                              {"split", view::Mode::split},
@@ -41,6 +42,8 @@ std::vector<Option> benchmarkOptions() {
            wholeNumber(1, kMaxRepeats), [](auto& a) -> auto& { return a.repeats; }),
     paths<BenchArguments>({"--sweep", kGroup, "for scenes: measure each of these values of an option (named without its dashes); if repeated, all combinations"}, "NAME=V,V,...",
           [](auto& a) -> auto& { return a.sweeps; }),
+    valued<BenchArguments>({"--error", kGroup, "for scenes: measure the error in equal time with this number of pictures of other seeds, against a reference of 8 times as many samples in each of as many pictures; 0: estimate the relMSE from two pictures"},
+           wholeNumber(0, kMaxErrorPictures), [](auto& a) -> auto& { return a.errorPictures; }),
     valued<BenchArguments>({"--threshold", kGroup, "for `compare`: fraction of its speed that a row of the report may lose"},
            fraction("FRACTION", 0, 1), [](auto& a) -> auto& { return a.threshold; }),
     valued<MarkdownArguments>({"--markdown", kGroup, "write the table as Markdown; `-`: to stdout"},

@@ -46,7 +46,7 @@ std::vector<std::string> firstArguments(cli::Command command) {
   if (command == cli::Command::generate) {
     for (const generate::Kind& kind : generate::kindTable()) words.emplace_back(kind.name);
   }
-  if (command == cli::Command::bench) words = {"table1", "accel", "rays", "compare"};
+  if (command == cli::Command::bench) words = {"table1", "accel", "rays", "compare", "error"};
   return words;
 }
 

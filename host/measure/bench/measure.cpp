@@ -70,6 +70,36 @@ std::uint64_t commonHash(const RunsByHash& runsByHash) {
   return 0;
 }
 
+// Renders pictures with the seeds from `seed` on; none if `control` stops it.
+std::vector<image::Image> picturesOf(render::Session& session, std::uint32_t seed, std::uint32_t count,
+                                     std::uint32_t sampleCount, const render::RenderControl& control) {
+  std::vector<image::Image> pictures;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    session.reset(seed + i, sampleCount);
+    if (!session.advance({0, sampleCount}, control)) return {};
+    pictures.push_back(toImage(session.film()));
+  }
+  return pictures;
+}
+
+// Returns the relMSE of each of `count` pictures, or none if `control` stops it.
+std::vector<double> relMseOfPictures(render::Renderer& renderer, const scene::Scene& scene,
+                                     const render::RenderSettings& settings, std::uint32_t count,
+                                     const render::RenderControl& control) {
+  const std::unique_ptr<render::Session> session = renderer.prepare(scene, settings);
+  const std::uint32_t samples = settings.image.sampleCount;
+  const std::uint32_t most = std::min(samples, render::kMaxSampleCount / kReferenceSamples) * kReferenceSamples;
+  const std::uint32_t seed = settings.image.seed + 1;
+  const std::vector<image::Image> converged = picturesOf(*session, seed, count, most, control);
+  if (converged.empty()) return {};
+  const ErrorReference reference = errorReferenceOf(converged);
+  std::vector<double> errors;
+  for (const image::Image& picture : picturesOf(*session, seed + count, count, samples, control)) {
+    errors.push_back(relMseOf(picture, reference));
+  }
+  return errors;
+}
+
 // Maps the progress of one run to that of all runs.
 render::RenderControl partOf(const render::RenderControl& whole, std::uint32_t runsOver, std::uint32_t runs,
                              std::uint64_t samplesOver) {
@@ -149,6 +179,23 @@ bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::sp
       noiseOf[variant.image] = compareImages(images[0], images[1]).relativeMeanSquaredError / 2;
     }
     measurement.relMse = noiseOf[variant.image];
+  }
+  return true;
+}
+
+bool measureError(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
+                  std::uint32_t pictureCount, const render::RenderControl& control) {
+  render::RenderControl silent = control;  // the progress has reached its end
+  silent.progress = nullptr;
+  std::map<std::string, std::vector<double>> errorsOf;
+  for (Measurement& measurement : measurements) {
+    std::vector<double>& errors = errorsOf[measurement.variant.image];
+    if (errors.empty()) {
+      errors = relMseOfPictures(renderer, scene, measurement.variant.settings, pictureCount, silent);
+      if (errors.empty()) return false;
+    }
+    measurement.relMse = statistics::summarise(errors).mean;
+    measurement.error = errorInTime(errors, measurement.traceSeconds);
   }
   return true;
 }

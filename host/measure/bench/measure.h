@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host/measure/bench/picture_error.h"
 #include "host/measure/bench/warm_up.h"
 #include "host/trace/render/renderer.h"
 
@@ -28,8 +29,10 @@ struct Measurement {
   double pipelineSeconds = 0;          ///< seconds in the first run, in which the driver compiles
   WarmUpWork warmUp{};                 ///< before all runs together
   bool agrees = true;  ///< every run was complete, and its film is that of the majority of runs of the same image
-  /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() has measured it.
+  /// relMSE (compareImages) relative to the converged image; empty unless measureNoise() or measureError() has measured
+  /// it.
   std::optional<double> relMse{};
+  std::optional<ErrorInTime> error{};  ///< empty unless measureError() has measured it, and for images without noise
 
   double mraysPerSecond() const;  ///< at the median time
   double msamplesPerSecond() const;
@@ -56,5 +59,14 @@ std::vector<Measurement> measureInterleaved(render::Renderer& renderer, const sc
 /// which is also valid for stratified samples. Returns false if `control` stops a run.
 bool measureNoise(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
                   const render::RenderControl& control);
+
+/// How many times as many samples a picture of measureError()'s reference has.
+inline constexpr std::uint32_t kReferenceSamples = 8;
+
+/// Renders `pictureCount` >= 2 pictures of each image, each with another seed, and as many pictures of
+/// kReferenceSamples times as many samples with further seeds, whose mean is the reference. The times are those of at
+/// least two measured runs. Returns false if `control` stops a run.
+bool measureError(render::Renderer& renderer, const scene::Scene& scene, std::span<Measurement> measurements,
+                  std::uint32_t pictureCount, const render::RenderControl& control);
 
 }  // namespace candela::bench

@@ -10,6 +10,7 @@
 #include "host/base/report_head.h"
 #include "host/base/statistics/quantiles.h"
 #include "host/base/version.h"
+#include "host/measure/bench/error_report.h"
 
 namespace candela::bench {
 namespace {
@@ -46,6 +47,9 @@ void addFigures(const Measurement& m, ordered_json& json) {
   if (!m.relMse) return;
   json["relMse"] = *m.relMse;
   json["efficiency"] = m.efficiency();
+  if (!m.error) return;
+  addInterval("relMse", m.error->relMse(), json);
+  addInterval("errorAfterSecond", m.error->errorAfterSecond(), json);
 }
 
 const render::RenderStatistics& firstOf(const RenderRows& report) { return report.rows.front().measurement.statistics; }

@@ -3,11 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "host/base/statistics/quantiles.h"
 #include "host/base/version.h"
 #include "host/judge/report/bar_chart.h"
+#include "host/measure/bench/error_report.h"
 #include "host/measure/bench/text_table.h"
 
 namespace candela::bench {
@@ -23,24 +25,29 @@ double raysPerSample(const Measurement& m) {
 }
 
 std::vector<std::string> sweepFigures(const Measurement& m) {
-  if (!m.agrees) return {"differs", "", "", "", "", "", ""};
+  if (!m.agrees) return {"differs", "", "", "", "", "", "", ""};
   return {fmt::format("{:.1f}", 1e3 * median(m.traceSeconds)),
           fmt::format("{:.0f} %", 100 * spread(m.traceSeconds)),
           fmt::format("{:.3f}", m.msamplesPerSecond()),
           fmt::format("{:.2f}", m.mraysPerSecond()),
           fmt::format("{:.2f}", raysPerSample(m)),
           m.relMse ? fmt::format("{:.3g}", *m.relMse) : "",
-          m.relMse ? fmt::format("{:.3g}", m.efficiency()) : ""};
+          m.relMse ? fmt::format("{:.3g}", m.efficiency()) : "",
+          m.error ? percentText(m.error->errorAfterSecond()) : ""};
 }
 
 TextTable tableOf(const SweepReport& report) {
   TextTable table;
-  table.header = {"scene",   "variant",         "ms",     "spread",      "Msamples/s",
-                  "Mrays/s", "rays per sample", "relMSE", "1/(s relMSE)"};
+  table.header = {"scene",   "variant",         "ms",     "spread",       "Msamples/s",
+                  "Mrays/s", "rays per sample", "relMSE", "1/(s relMSE)", "error after 1 s"};
   for (const RenderRow& row : report.rows) {
     std::vector<std::string> cells{row.scene, row.measurement.variant.name};
     for (std::string& figure : sweepFigures(row.measurement)) cells.push_back(std::move(figure));
     table.rows.push_back(std::move(cells));
+  }
+  if (std::ranges::none_of(report.rows, [](const RenderRow& row) { return row.measurement.error.has_value(); })) {
+    table.header.pop_back();
+    for (std::vector<std::string>& cells : table.rows) cells.pop_back();
   }
   return table;
 }

@@ -1,5 +1,6 @@
 // `candela bench SCENE --sweep` and `bench compare` as a user runs them, on the reference tracer.
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/cli/run_program.h"
@@ -11,9 +12,10 @@ using Catch::Contains;
 using nlohmann::json;
 
 // Runs `bench SCENE` with more words.
-ProgramResult benchScene(const TemporaryFolder& folder, const std::vector<std::string>& words) {
+ProgramResult benchScene(const TemporaryFolder& folder, const std::vector<std::string>& words,
+                         const std::string& repeats = "1") {
   std::vector<std::string> all{
-      "bench", folder.write("a.p3f", smallScene()), "--device", "cpu", "--repeat", "1", "--spp", "1"};
+      "bench", folder.write("a.p3f", smallScene()), "--device", "cpu", "--repeat", repeats, "--spp", "1"};
   all.insert(all.end(), words.begin(), words.end());
   return runCandela(all);
 }
@@ -100,6 +102,59 @@ TEST_CASE("bench compare refuses a file that is no report, and names it") {
   CHECK(runCandela({"bench", "compare", folder.path("absent.json"), text}).exitCode == 2);
   CHECK(runCandela({"bench", "compare", text}).exitCode == 1);
   CHECK_THAT(runCandela({"bench", "compare", text, text, text}).err, Contains("expected two reports"));
+}
+
+TEST_CASE("bench SCENE --error measures the error in equal time of each image") {
+  const TemporaryFolder folder;
+  const ProgramResult result = benchScene(
+      folder, {"--error", "3", "--sweep", "nee=on,off", "--json", folder.path("a.json"), "--markdown", "-"}, "2");
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK_THAT(result.out, Contains("| error after 1 s |"));
+  CHECK_THAT(result.err, Contains("a.p3f: error of 3 pictures, and a reference of 24 times their samples"));
+  const json rows = json::parse(readText(folder.path("a.json")))["rows"];
+  REQUIRE(rows.size() == 2);
+  for (const json& row : rows) {
+    const double root = std::sqrt(row["relMse"].get<double>() * row["medianSeconds"].get<double>());
+    CHECK(row["errorAfterSecond"] == Approx(root));
+    CHECK(row["errorAfterSecondLow"] < root);
+    CHECK(row["errorAfterSecondHigh"] > root);
+  }
+  CHECK(rows[0]["relMse"] < rows[1]["relMse"]);  // the light is small
+}
+
+TEST_CASE("an error needs two pictures and two runs") {
+  const TemporaryFolder folder;
+  CHECK_THAT(benchScene(folder, {"--error", "1"}).err, Contains("--error 1: an error needs at least 2 pictures"));
+  CHECK_THAT(benchScene(folder, {"--error", "2"}).err, Contains("use --repeat 2 or more"));
+  CHECK(benchScene(folder, {"--error", "2"}).exitCode == 1);
+}
+
+TEST_CASE("bench error compares renderers by their pictures and times") {
+  const TemporaryFolder folder;
+  const std::string scene = folder.write("a.p3f", smallScene());
+  json tracer{{"tracer", "A"}, {"samplesPerPixel", 1}};
+  for (int seed = 0; seed < 4; ++seed) {
+    const std::string name = std::to_string(seed) + ".exr";
+    const std::string spp = seed < 2 ? "1" : "8";
+    REQUIRE(runCandela(
+                {scene, "--device", "cpu", "--spp", spp, "--seed", std::to_string(seed), "-o", folder.path(name), "-q"})
+                .exitCode == 0);
+    if (seed < 2) tracer["pictures"].push_back({{"file", name}, {"seconds", 1}});
+    if (seed >= 2) tracer["reference"].push_back(name);
+  }
+  json slow = tracer;
+  slow["tracer"] = "B";
+  for (json& picture : slow["pictures"]) picture["seconds"] = 4;
+  const json document{{"schema", "candela-error-runs/1"}, {"scene", "a.p3f"}, {"tracers", {tracer, slow}}};
+  const ProgramResult result = runCandela(
+      {"bench", "error", folder.write("runs.json", document.dump()), "--json", "-"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  CHECK(json::parse(result.out)["rows"][1]["errorRatio"] == Approx(2));
+  CHECK(runCandela({"bench", "error"}).exitCode == 1);
+  CHECK(runCandela({"bench", "error", folder.write("no.json", "{}")}).exitCode == 2);
+  CHECK_THAT(runCandela({"bench", "error", "a.json", "--error", "3"}).err, Contains("applies only to bench SCENE"));
 }
 
 TEST_CASE("options of bench SCENE are refused by the other benchmarks") {

@@ -37,6 +37,9 @@ class Inputs {
     render({"--samples", "2:4", "--checkpoint", path("second.exr")});
     run({"bench", path("a.p3f"), "--device", "cpu", "--size", "8x8", "--spp", "1", "--repeat", "1", "--json",
          path("bench.json")});
+    folder_.write("runs.json", R"({"schema": "candela-error-runs/1", "scene": "a", "tracers": [{"tracer": "t",
+      "samplesPerPixel": 4, "reference": ["a1.exr", "a1.exr"],
+      "pictures": [{"file": "a2.exr", "seconds": 1}, {"file": "a2.exr", "seconds": 1}]}]})");
     folder_.write("kernels.json", R"({"schema": "candela-kernels/1", "device": "d", "driver": "v", "driverName": "n",
       "rows": [{"scene": "a", "sceneHash": "1", "kernel": "megakernel", "workgroup": "8x8", "cycles": 1}]})");
   }
@@ -84,6 +87,8 @@ std::vector<Document> documentsOf(const Inputs& in) {
       {"candela-explain/2", {"explain", scene, "--size", "8x8"}},
       {"candela-conformance/2", {"conformance", "--cases", "leaf.integer.add_carry"}},
       {"candela-bench/2", with({"bench", scene}, once)},
+      {"candela-bench/2", with({"bench", scene, "--error", "2", "--repeat", "2"}, quick)},
+      {"candela-bench-error/1", {"bench", "error", in.path("runs.json")}, false},
       {"candela-bench/2", with({"bench", "accel", scene}, once)},
       {"candela-bench/2", {"bench", "rays", scene, "--size", "8x8", "--repeat", "1"}},
       {"candela-bench-comparison/2", {"bench", "compare", in.path("bench.json"), in.path("bench.json")}, false},

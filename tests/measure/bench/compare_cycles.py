@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
 """Compares the speed of Candela on lavapipe with that of Blender's Cycles on the same scenes, alternately, and prints a table.
 
-    python3 tests/measure/bench/compare_cycles.py CANDELA SCENE... [--spp N] [--size N] [--max-depth N] [--rounds N] [--speed-only]
+    python3 tests/measure/bench/compare_cycles.py CANDELA SCENE... [--spp N] [--size N] [--max-depth N] [--rounds N] [--defaults-only]
 
 Scenes are glTF files of gltf_scenes.py, and NFF files that cycles.py can read.
 
 Figures are medians over the rounds. The processor's time, user and system of all threads, is what other work on the
 machine changes least; a second is by the clock. Building the scene, compiling kernels and writing files are left out:
-of Cycles by timing a second render, of Candela by taking away what a render of one sample per pixel takes. relMSE is
-that of small pictures of as many samples per pixel, each against a long render by the same tracer.
+of Cycles by timing a second render, of Candela by taking away what a render of one sample per pixel takes. How much
+noise the samples leave is measured by equal_time.py.
 """
 import argparse
 import glob
@@ -25,10 +25,6 @@ CYCLES = Path(__file__).with_name("cycles.py")
 # Russian roulette may take the 6th vertex from Candela's paths, the 3rd from Cycles': each also as the other has it.
 VARIANTS = [("Candela", "candela", []), ("Candela, early roulette", "candela", ["--rr-start", "1"]),
             ("Cycles", "cycles", []), ("Cycles, late roulette", "cycles", ["--roulette-start", "3"])]
-NOISE_SIZE = 128  # side of the pictures whose noise is measured, pixels
-NOISE_SEEDS = 3
-LONG_SPP = 1024
-LONG_SEED = 1000
 
 
 @dataclass
@@ -97,7 +93,7 @@ def time_cycles(options, scene, film, seed, runs):
 
 
 def measure(options, scene, folder):
-    all_runs = [Runs(*variant) for variant in VARIANTS if not (options.speed_only and variant[2])]
+    all_runs = [Runs(*variant) for variant in VARIANTS if not (options.defaults_only and variant[2])]
     times = {"candela": time_candela, "cycles": time_cycles}
     run_candela(options, scene, folder / "timed.exr", options.size, 1, 0, [])  # fills the driver's cache of kernels
     for seed in range(options.rounds):
@@ -106,38 +102,17 @@ def measure(options, scene, folder):
     return all_runs
 
 
-def relative_errors(options, scene, folder):
-    """relMSE of each variant, the median over seeds."""
-    run = {"candela": run_candela, "cycles": run_cycles}
-    for tracer in run:
-        run[tracer](options, scene, folder / f"{tracer}.exr", NOISE_SIZE, LONG_SPP, LONG_SEED, [])
-    medians = []
-    for _, tracer, extra in VARIANTS:
-        errors = []
-        for seed in range(NOISE_SEEDS):
-            run[tracer](options, scene, folder / "short.exr", NOISE_SIZE, options.spp, seed, extra)
-            # Its exit code would state whether the light differs, which does not matter here.
-            done = subprocess.run([options.candela, "compare", folder / "short.exr", folder / f"{tracer}.exr", "-q",
-                                   "--json", "-"], capture_output=True, text=True)
-            errors.append(json.loads(done.stdout)["relativeMeanSquaredError"])
-        medians.append(statistics.median(errors))
-    return medians
-
-
-def print_table(options, scene, all_runs, errors):
+def print_table(options, scene, all_runs):
     samples = options.size * options.size * options.spp / 1e6
     print(f"\n{Path(scene).name}: {options.size} x {options.size}, {options.spp} samples per pixel, at most "
           f"{options.max_depth - 1} bounces, medians of {options.rounds}\n")
-    print("| tracer | Msamples per processor second | Msamples/s | rays a sample |"
-          + (" relMSE | Msamples per processor second / relMSE |" if errors else ""))
-    print("|---|---:|---:|---:|" + ("---:|---:|" if errors else ""))
-    for index, runs in enumerate(all_runs):
+    print("| tracer | Msamples per processor second | Msamples/s | rays a sample |")
+    print("|---|---:|---:|---:|")
+    for runs in all_runs:
         rays = f"{runs.rays_per_sample:.2f}" if runs.rays_per_sample else ""
         speeds = sorted(samples / seconds for seconds in runs.processor_seconds)
-        speed = statistics.median(speeds)
-        noise = f" {errors[index]:.4g} | {speed / errors[index]:.3g} |" if errors else ""
-        print(f"| {runs.name} | {speed:.3f} ({speeds[0]:.3f} to {speeds[-1]:.3f})"
-              f" | {samples / statistics.median(runs.seconds):.3f} | {rays} |{noise}")
+        print(f"| {runs.name} | {statistics.median(speeds):.3f} ({speeds[0]:.3f} to {speeds[-1]:.3f})"
+              f" | {samples / statistics.median(runs.seconds):.3f} | {rays} |")
     sys.stdout.flush()
 
 
@@ -149,7 +124,7 @@ def parse_options():
     parser.add_argument("--size", type=int, default=512, help="side of the pictures, pixels")
     parser.add_argument("--max-depth", type=int, default=9, help="longest path in rays, the camera's included")
     parser.add_argument("--rounds", type=int, default=5, help="of all, in turn")
-    parser.add_argument("--speed-only", action="store_true", help="default settings alone, and no relMSE, which takes long")
+    parser.add_argument("--defaults-only", action="store_true", help="leave out the variants of Russian roulette")
     return parser.parse_args()
 
 
@@ -157,9 +132,7 @@ def main():
     options = parse_options()
     for scene in options.scenes:
         with tempfile.TemporaryDirectory() as folder:
-            all_runs = measure(options, scene, Path(folder))
-            errors = [] if options.speed_only else relative_errors(options, scene, Path(folder))
-            print_table(options, scene, all_runs, errors)
+            print_table(options, scene, measure(options, scene, Path(folder)))
 
 
 if __name__ == "__main__":

@@ -270,7 +270,7 @@ def render_and_time(options):
     wall, processor = time.perf_counter() - wall, time.process_time() - processor
     bpy.data.images["Render Result"].save_render(os.path.abspath(options.output))
     samples = options.size * options.size * options.spp
-    return {"samples": samples, "seconds": wall, "processorSeconds": processor,
+    return {"version": bpy.app.version_string, "samples": samples, "seconds": wall, "processorSeconds": processor,
             "msamplesPerSecond": samples / wall / 1e6, "msamplesPerProcessorSecond": samples / processor / 1e6}
 
 

@@ -25,12 +25,13 @@ class EmbreeTracer : public RayTracer {
   std::vector<gpu::CastHit> hits() override { return hits_; }
   bool isExact() const override { return false; }
 
+  gpu::CastHit closest(const gpu::CastRay& ray) const;
+  gpu::CastHit any(const gpu::CastRay& ray) const;
+
  private:
   void addTriangles(const scene::Scene& scene);
   void addSpheres(const scene::Scene& scene);
   void traceRange(std::size_t first, std::size_t end);
-  gpu::CastHit closest(const gpu::CastRay& ray) const;
-  gpu::CastHit any(const gpu::CastRay& ray) const;
 
   RTCDevice device_;
   RTCScene scene_;

@@ -24,6 +24,7 @@ class FakeRenderer final : public test::OneShotRenderer {
     const ScriptedRun& run = runs_.at(accels.size());
     accels.push_back(settings.structure.accel);
     seeds.push_back(settings.image.seed);
+    sampleCounts.push_back(settings.image.sampleCount);
     render::RenderResult result;
     result.film = image::Film(1, 1);
     result.film.addSample(0, 0, glm::dvec3(run.value), 0);
@@ -44,6 +45,7 @@ class FakeRenderer final : public test::OneShotRenderer {
 
   std::vector<render::AccelKind> accels;  ///< of the runs so far, in their order
   std::vector<std::uint32_t> seeds;
+  std::vector<std::uint32_t> sampleCounts;
 
  private:
   std::vector<ScriptedRun> runs_;

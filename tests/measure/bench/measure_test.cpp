@@ -96,6 +96,33 @@ TEST_CASE("noise is not measured if the benchmark is interrupted") {
   CHECK_FALSE(measureNoise(renderer, scene::Scene{}, measurements, {}));
 }
 
+TEST_CASE("the error is that of pictures with other seeds, against a reference of more samples, once for each image") {
+  std::vector<Variant> variants = threeVariants();
+  variants[2].image = "another";
+  // Six runs, then a reference of 2 and pictures of 3 and 1, then a reference without noise.
+  FakeRenderer renderer({{1, 4}, {1, 1}, {1, 2}, {1, 4}, {1, 1}, {1, 2}, {2}, {2}, {3}, {1}, {1}, {1}, {1}, {1}});
+  std::vector<Measurement> measurements = measureInterleaved(renderer, scene::Scene{}, variants, 2, {});
+  REQUIRE(measureError(renderer, scene::Scene{}, measurements, 2, {}));
+  CHECK(renderer.seeds == std::vector<std::uint32_t>{0, 0, 0, 0, 0, 0, 1, 2, 3, 4, 1, 2, 3, 4});
+  CHECK(std::vector(renderer.sampleCounts.begin() + 5, renderer.sampleCounts.begin() + 10) ==
+        std::vector<std::uint32_t>{16, 128, 128, 16, 16});
+  CHECK(measurements[0].relMse == Approx(1 / 4.01));
+  CHECK(measurements[0].error->errorAfterSecond().value == Approx(std::sqrt(4 / 4.01)));
+  CHECK(measurements[1].error->errorAfterSecond().value == Approx(std::sqrt(1 / 4.01)));
+  CHECK(measurements[2].relMse == 0);
+  CHECK_FALSE(measurements[2].error);
+}
+
+TEST_CASE("errors are not measured if the benchmark is interrupted") {
+  for (const std::size_t runs : {0u, 1u, 3u}) {
+    std::vector<ScriptedRun> script(6 + runs);
+    script.push_back({.interrupted = true});
+    FakeRenderer renderer(script);
+    std::vector<Measurement> measurements = measureInterleaved(renderer, scene::Scene{}, threeVariants(), 2, {});
+    CHECK_FALSE(measureError(renderer, scene::Scene{}, measurements, 2, {}));
+  }
+}
+
 TEST_CASE("a variant whose work was truncated does not agree, whatever its image") {
   const auto measurements = measure({{1}, {.truncated = 1}, {1}}, 1);
   CHECK(measurements[0].agrees);

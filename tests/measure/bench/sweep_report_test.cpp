@@ -55,6 +55,19 @@ TEST_CASE("the rows of a sweep have rates by kind of ray, dispatch times, noise 
   CHECK(row["efficiency"] == 1);  // 1 / (2 s x 0.5)
 }
 
+TEST_CASE("the error in equal time has a column and an interval where it was measured") {
+  CHECK_THAT(toText(report()), !Contains("error after 1 s"));
+  SweepReport measured = report();
+  const std::vector<double> errors{0.5, 0.5}, seconds{2, 2};
+  measured.rows[0].measurement.error = errorInTime(errors, seconds);
+  CHECK_THAT(toText(measured), Contains("error after 1 s") && Contains("100 % (100 to 100)"));
+  const nlohmann::json document = toJson(measured);
+  for (const char* const key : {"relMseLow", "relMseHigh", "errorAfterSecond", "errorAfterSecondHigh"}) {
+    CHECK(document["rows"][0].contains(key));
+    CHECK_FALSE(document["rows"][1].contains(key));
+  }
+}
+
 TEST_CASE("a variant whose film differs has no figures, and the report does not agree") {
   const SweepReport bad = report();
   CHECK_FALSE(bad.agree());
