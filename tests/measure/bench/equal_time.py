@@ -117,8 +117,10 @@ def measure(scene, options, folder):
             file = f"{index}-{seed}.exr"
             seconds, processor_seconds = tracer.time(scene, folder / file, options.spp, seed)
             entry["pictures"].append({"file": file, "seconds": seconds, "processorSeconds": processor_seconds})
-    for seed in range(REFERENCE_SEED, REFERENCE_SEED + options.references):
+    for picture in range(options.references):
         for index, (tracer, entry) in enumerate(zip(tracers, lists)):
+            # References of different tracers are independent only with different seeds: two of them use the same numbers.
+            seed = REFERENCE_SEED * (1 + index) + picture
             file = f"{index}-{seed}.exr"
             tracer.render(scene, folder / file, REFERENCE_SAMPLES * options.spp, seed)
             entry["reference"].append(file)
