@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host/base/hypotenuse.h"
+
 namespace candela::reference {
 
 namespace {
@@ -58,7 +60,7 @@ EnvironmentMap::Tap EnvironmentMap::tap(const dvec3& direction, const dvec2& jit
   const dvec3 d = direction * toScene_;
   const double width = environment_.width;
   const double height = environment_.height;
-  const double sine = std::hypot(d.x, d.z);
+  const double sine = hypotenuse(d.x, d.z);
   double s = width * (0.5 + std::atan2(d.z, d.x) / (2 * kPi)) + jitter.x - 0.5;
   double t = height * std::atan2(sine, d.y) / kPi + jitter.y - 0.5;
   if (t < 0 || t > height) {

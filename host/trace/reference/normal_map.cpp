@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host/base/hypotenuse.h"
+
 namespace candela::reference {
 namespace {
 
@@ -47,7 +49,7 @@ dvec3 NormalMapFacets::scatteredAgain(const dvec3& w) const {
   const dvec3 axis = normalize(tangent);
   const dvec3 downFacet = cross(axis, dvec3(0, 0, -1)), downSurface = cross(axis, -geometric_);
   const double along = dot(w, axis), down = dot(w, downFacet);
-  const double radius = std::hypot(down, w.z);
+  const double radius = hypotenuse(down, w.z);
   const double depth = std::clamp((1 - down / radius) / (2 * sunkFraction()), 0.0, 1.0);
   const double sine = 2 * depth - 1;
   return along * axis + radius * (sine * downSurface + std::sqrt(1 - sine * sine) * geometric_);
