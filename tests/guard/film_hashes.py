@@ -4,6 +4,7 @@
     python3 tests/guard/film_hashes.py record --program PROGRAM --compiler "GNU 12.2" [--icd FILE] [--replace]
     python3 tests/guard/film_hashes.py check --program PROGRAM --compiler "GNU 12.2" [--icd FILE] [--quick] [--variants]
 
+--emulator COMMAND runs a program for another processor, e.g. "qemu-aarch64 -L build/arm64-root".
 Without --icd the reference tracer renders (--device cpu), with --icd the Vulkan driver whose manifest FILE is. Each
 scene is rendered by every integrator except `cost`, whose film depends on the acceleration structure, and by `path` with and
 without next-event estimation. `check --quick` renders `path` with next-event estimation alone. `check --variants`
@@ -16,7 +17,8 @@ The hashes are in film_hashes.json, under a key that names what may alter the la
 - the C library, because its releases round functions such as pow and sin differently, and the instruction set: glibc's
   libm and LLVM generate or choose other code where the processor has fused multiply-add. With glibc 2.36 the
   reference's film of `primitives` at 64 samples changes if libm does without it. (The script clears GLIBC_TUNABLES, a
-  variable that switches it off.)
+  variable that switches it off.) 64-bit ARM has the hashes of x86_64 with fused multiply-add, because glibc has the same bits
+  there in all functions on which films of the reference depend.
 The key does not name the build type: the program is compiled with -ffp-contract=off and without -ffast-math, so the
 level of optimisation must not change a film. Nor does it name the GLSL compiler: a film that changes with it is a
 finding.
@@ -67,8 +69,8 @@ class NotApplicable(Exception):
 class Renderer:
     """The program on one device."""
 
-    def __init__(self, program, icd):
-        self.program = str(program)
+    def __init__(self, program, icd, emulator):
+        self.command = [*shlex.split(emulator), str(program)]
         self.device = [] if icd else ["--device", "cpu"]
         self.environment = {name: value for name, value in os.environ.items() if name != "GLIBC_TUNABLES"}
         if icd:  # VK_ICD_FILENAMES is what loaders before 1.3.207 read
@@ -76,7 +78,7 @@ class Renderer:
 
     def report(self, scene, settings, size="64x64", spp=4):
         """The JSON report of a render. `settings`: options without their dashes, and their values."""
-        command = [self.program, str(scene), "--size", size, "--spp", str(spp), "--untuned", "--quiet", "--json", "-",
+        command = [*self.command, str(scene), "--size", size, "--spp", str(spp), "--untuned", "--quiet", "--json", "-",
                    *self.device]
         for name, value in settings.items():
             command += [f"--{name}", value]
@@ -114,7 +116,9 @@ def entry_names():
 
 
 def instruction_set():
-    """The machine's architecture, and whether an x86 processor has fused multiply-add."""
+    """The machine's architecture, and whether an x86 processor has fused multiply-add. AArch64 is no key of its own."""
+    if platform.machine() == "aarch64":
+        return "x86_64 fma"
     if platform.machine() != "x86_64":
         return platform.machine()
     flags = next((line for line in Path("/proc/cpuinfo").read_text().splitlines() if line.startswith("flags")), "")
@@ -190,7 +194,7 @@ def entry_problems(hashes, arguments):
 
 
 def check(arguments):
-    renderer = Renderer(arguments.program, arguments.icd)
+    renderer = Renderer(arguments.program, arguments.icd, arguments.emulator)
     key = table_key(renderer, arguments.compiler)
     hashes = load_table().get(key)
     if hashes is None:
@@ -208,7 +212,7 @@ def check(arguments):
 
 
 def record(arguments):
-    renderer = Renderer(arguments.program, arguments.icd)
+    renderer = Renderer(arguments.program, arguments.icd, arguments.emulator)
     key = table_key(renderer, arguments.compiler)
     hashes = {entry_name(scene, film): renderer.hash(scene, film) for scene in scene_files() for film in FILMS}
     table = load_table()
@@ -231,6 +235,7 @@ def main():
         command.add_argument("--program", type=Path, required=True, help="the candela program")
         command.add_argument("--compiler", required=True, help="that built it, e.g. \"GNU 12.2\"")
         command.add_argument("--icd", type=Path, help="manifest of a Vulkan driver; default: the reference tracer")
+        command.add_argument("--emulator", default="", help="command that runs the program, where it is for another processor")
         if name == "record":
             command.add_argument("--replace", action="store_true", help="replace recorded hashes that differ")
         else:
