@@ -148,7 +148,8 @@ void writeBrilliants(NffWriter& out, std::uint32_t size) {
   addRing(kHighLamps, 3.4, 9, 0.6, 0.6, lamps);
   addLamp({-9, 4, -6}, 2.2, 1.2, lamps);
   addLamp({9, 3, 4}, 1, 2, lamps);
-  document.addNode(document.addShape(lamps.mesh()), document.addMaterial(lampMaterial()), dvec3(0));
+  const std::size_t lamp = document.addMaterial(lampMaterial());
+  document.addNode(document.addShape(lamps.mesh()), lamp, dvec3(0));
   document.addCamera({0, 6.1, 7.1}, {0, 0.55, 0}, 19, 2.4);
   out.text(document.text());
 }

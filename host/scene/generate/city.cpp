@@ -189,7 +189,8 @@ std::uint64_t cityPrimitives(std::uint32_t size) {
 void writeCity(NffWriter& out, std::uint32_t size) {
   const CityPlan plan = planCity(size);
   GltfDocument document;
-  document.addNode(document.addShape(surroundings(plan.radius)), addPainted(document, dvec3(1), 0.9), dvec3(0));
+  const std::size_t ground = addPainted(document, dvec3(1), 0.9);
+  document.addNode(document.addShape(surroundings(plan.radius)), ground, dvec3(0));
   addBuildings(document, plan);
   addRepeated(document, slab(), {0.3, 0.29, 0.28}, plan.blocks);
   addRepeated(document, dash(), dvec3(0.7), plan.dashes);

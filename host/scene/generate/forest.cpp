@@ -237,11 +237,11 @@ std::uint64_t forestPrimitives(std::uint32_t size) {
 void writeForest(NffWriter& out, std::uint32_t size) {
   GltfDocument document;
   const LakeValley valley;
-  document.addNode(document.addShape(valley.groundMesh()),
-                   document.addMaterial(gltfMaterial({.colour = dvec3(1), .roughness = 0.95})), dvec3(0));
-  document.addNode(
-      document.addShape(LakeValley::waterMesh()),
-      document.addMaterial(gltfMaterial({.colour = {0.012, 0.028, 0.03}, .roughness = 0.04, .ior = 1.333})), dvec3(0));
+  const std::size_t ground = document.addMaterial(gltfMaterial({.colour = dvec3(1), .roughness = 0.95}));
+  document.addNode(document.addShape(valley.groundMesh()), ground, dvec3(0));
+  const std::size_t water = document.addMaterial(
+      gltfMaterial({.colour = {0.012, 0.028, 0.03}, .roughness = 0.04, .ior = 1.333}));
+  document.addNode(document.addShape(LakeValley::waterMesh()), water, dvec3(0));
   addTrees(document, plantTrees(valley, size));
   const std::vector<MeshInstance> rocks = placeRocks(valley);
   for (std::size_t shape = 0; shape < kRockShapes; ++shape) {

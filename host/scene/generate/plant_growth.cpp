@@ -127,7 +127,8 @@ class Grower {
                          (i % 2 == 0 ? 1.0 : -1.0);
       const dvec3 ordered = 0.6 * joint.direction + side;
       const dvec3 along = normalize(mix(ordered, randomDirection(random_), leaf.scatter) - leaf.droop * kUp);
-      addLeaf(joint.point + leaf.spread * std::sqrt(random_.next()) * randomDirection(random_), along);
+      const dvec3 direction = randomDirection(random_);
+      addLeaf(joint.point + leaf.spread * std::sqrt(random_.next()) * direction, along);
     }
   }
 

@@ -145,7 +145,8 @@ void writeStillLife(NffWriter& out, std::uint32_t size) {
   const std::size_t tileTexture = document.addTexture(kTextureSide, kTextureSide, tiles());
   const std::size_t ringTexture = document.addTexture(kTextureSide, kTextureSide, rings());
   const auto add = [&](const TriangleMesh& mesh, const GltfDocument::Json& material, const dvec3& place) {
-    document.addNode(document.addShape(mesh), document.addMaterial(material), place);
+    const std::size_t index = document.addMaterial(material);
+    document.addNode(document.addShape(mesh), index, place);
   };
   add(square(12, 12), textured({.roughness = 0.35}, tileTexture), {0, 0, 0});
   add(lathe(vase(size), 2 * size),
