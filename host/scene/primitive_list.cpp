@@ -31,4 +31,8 @@ void PrimitiveList::append(const Primitive& start, std::uint32_t count) {
   size_ += count;
 }
 
+// Inline comparisons with an empty list look like an access through a null pointer to GCC 16 (-Wnull-dereference): it
+// does not see that vectors of equal size without elements compare none.
+bool PrimitiveList::operator==(const PrimitiveList&) const = default;
+
 }  // namespace candela::scene

@@ -90,7 +90,7 @@ class PrimitiveList {
   void append(const Primitive& start, std::uint32_t count);
   void clear() { *this = {}; }
 
-  bool operator==(const PrimitiveList&) const = default;
+  bool operator==(const PrimitiveList&) const;
 
  private:
   std::vector<PrimitiveRun> runs_;
