@@ -121,6 +121,7 @@ struct MergeArguments : GeneralArguments, MemoryArguments, JsonArguments {
 struct ConformanceArguments : GeneralArguments, DeviceArguments, ShrinkArguments, JsonArguments, JunitArguments {
   static constexpr Command command = Command::conformance;
   bool variants = false;                         ///< the cases are kernels against variants of them
+  bool compileOnly = false;                      ///< compile the pipelines of the cases, and run nothing
   bool list = false;                             ///< print the names of the cases, and run none
   std::vector<std::string> cases;                ///< patterns of their names; empty: all
   conformance::PictureTest pictures;             ///< how cases that render pictures are tested

@@ -49,13 +49,14 @@ void printNames(const Cases& cases) {
 }
 
 // A driver that crashes while it lists its devices ends only a child process.
-vulkan::DeviceInfo deviceFor(const std::string& selector) {
-  const doctor::ListedDevices listed = doctor::listAllDevices();
+vulkan::DeviceInfo deviceFor(const ConformanceArguments& arguments) {
+  doctor::ListedDevices listed = doctor::listAllDevices();
   if (!listed.failure.empty()) {
     throw NoDeviceError(
         fmt::format("listing the Vulkan devices {}; `candela doctor` names the driver", listed.failure));
   }
-  return vulkan::chooseDevice(listed.devices, selector);
+  if (arguments.compileOnly) vulkan::allowCompilers(listed.devices);
+  return vulkan::chooseDevice(listed.devices, arguments.device);
 }
 
 // A mistyped name in a baseline would be ignored silently. Cases of the other list are known, too.
@@ -87,6 +88,7 @@ conformance::RunOptions optionsFrom(const ConformanceArguments& arguments, const
   options.jobs = arguments.jobs.value_or(threadCountFor(0));
   options.timeout = std::chrono::milliseconds(static_cast<std::int64_t>(arguments.timeout * 1000));
   options.shuffle = arguments.shuffle;
+  options.compilesOnly = arguments.compileOnly;
   options.expectations = readExpectations(arguments, log);
   return options;
 }
@@ -95,6 +97,18 @@ conformance::RunOptions optionsFrom(const ConformanceArguments& arguments, const
 bool isWorthALine(const CaseResult& result, const Log& log) {
   return !result.verdict.isExpected() || result.verdict.status == conformance::Status::flake ||
          log.verbosity() == Verbosity::verbose;
+}
+
+void refuseOptionsOfRuns(const ConformanceArguments& arguments) {
+  for (const char* const option : {"--capture", "--shrink-time", "--seed", "--alpha"}) {
+    if (!arguments.given.contains(option)) continue;
+    throw UsageError(fmt::format("{}: this option applies only to cases that run, without --compile-only", option));
+  }
+}
+
+// Failures to compile do not shrink, because the search runs the case.
+double shrinkSecondsOf(const ConformanceArguments& arguments) {
+  return arguments.compileOnly ? 0 : arguments.shrinkSeconds;
 }
 
 void requireWritableOutputs(const ConformanceArguments& arguments) {
@@ -108,6 +122,7 @@ void requireWritableOutputs(const ConformanceArguments& arguments) {
 
 ExitCode run(const ConformanceArguments& arguments, const Log& log) {
   requireVulkanDevice(arguments, "the cases test a Vulkan driver, which the reference tracer does not use");
+  if (arguments.compileOnly) refuseOptionsOfRuns(arguments);
   const Cases cases = chosenCases(arguments);
   if (arguments.list) {
     printNames(cases);
@@ -119,12 +134,12 @@ ExitCode run(const ConformanceArguments& arguments, const Log& log) {
   options.note = [&](const CaseResult& result) {
     if (asText && isWorthALine(result, log)) std::cout << lineOf(result) << std::flush;
   };
-  const vulkan::DeviceInfo device = deviceFor(arguments.device);
+  const vulkan::DeviceInfo device = deviceFor(arguments);
   log.note(fmt::format("{} cases on {} ({}), {} at a time", cases.size(), device.name, device.driver, options.jobs));
   options.stop = &watchInterrupts();
   Stopwatch watch;
   conformance::RunResult run = conformance::runCases(cases, device, options);
-  shrinkFailures({options.timeout, arguments.shrinkSeconds, options.stop}, run, cases, device, log);
+  shrinkFailures({options.timeout, shrinkSecondsOf(arguments), options.stop}, run, cases, device, log);
   const double seconds = watch.lap();
   if (asText) std::cout << fmt::format("{} ({:.1f} s)\n", countsOf(run), seconds) << std::flush;
   writeText(arguments.csv, toCsv(run));

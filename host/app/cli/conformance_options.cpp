@@ -19,6 +19,7 @@ std::vector<Option> conformanceOptions() {
     list<ConformanceArguments>({"--cases", kGroup, "run the cases whose names match a pattern with *, ? and [...]; if repeated, any of the patterns"},
          "GLOB", "a pattern", [](auto& a) -> auto& { return a.cases; }),
     flag<ConformanceArguments>({"--variants", kGroup, "instead of the other cases, compare shaders with variants of them that must compute the same results"}, [](auto& a) -> auto& { return a.variants; }),
+    flag<ConformanceArguments>({"--compile-only", kGroup, "compile the shaders of the cases and run none, so that the device needs neither memory nor working hardware"}, [](auto& a) -> auto& { return a.compileOnly; }),
     flag<ConformanceArguments>({"--list", kGroup, "print the names of the cases, and run none"}, [](auto& a) -> auto& { return a.list; }),
     valued<ConformanceArguments>({"--seed", kGroup, "seed of the random numbers of the cases that render pictures"},
            wholeNumber(0, std::numeric_limits<std::uint32_t>::max()), [](auto& a) -> auto& { return a.pictures.seed; }),

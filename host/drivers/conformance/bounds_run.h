@@ -15,6 +15,9 @@ struct BoundsRow {
 
 std::span<const BoundsRow> boundsRows();
 
+/// Creates the pipeline of runBounds().
+Finding compileBounds(const BoundsRow& row, const Workbench& workbench);
+
 /// Reads within a buffer give its content, and others give 0 or some word of the buffer. Writes beyond the buffer
 /// change no other buffer.
 Finding runBounds(const BoundsRow& row, const Workbench& workbench);

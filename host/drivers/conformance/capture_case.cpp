@@ -43,7 +43,7 @@ capture::Capture captureCase(const Case& question, const vulkan::DeviceInfo& dev
     capture = question.capture(device);
   } else {
     const auto recording = std::make_shared<vulkan::Recording>();
-    Workbench workbench(device, recording, prepareShader);
+    Workbench workbench(device, {.recording = recording, .prepareShader = prepareShader});
     const Finding finding = question.run(workbench);
     requireCapturable(question, finding, device);
     capture = captureOf(*recording, finding, device);

@@ -42,6 +42,8 @@ struct Case {
   std::string name;   ///< parts of letters, digits and underscores, separated by dots
   std::string group;  ///< cases of one group may run in one child process, because they share kernels or images
   std::function<Finding(Workbench&)> run;
+  /// Creates the pipelines of the case and runs nothing, on a workbench that only compiles; empty: the case has none.
+  std::function<Finding(Workbench&)> compile{};
   /// Captures the case in a special way; empty: captureCase() records the work of run().
   std::function<capture::Capture(const vulkan::DeviceInfo&)> capture{};
   /// Describes the smallest difference after a failure; empty: the case does not shrink. Call it while the process has

@@ -34,8 +34,8 @@ const std::array<ControlRow, 14> kControlRows{{{"loop.iterations", 0, countOneLo
 Cases controlCases() {
   Cases cases;
   for (const ControlRow& row : kControlRows) {
-    cases.push_back({fmt::format("control.{}", row.name), "control",
-                     [row](Workbench& workbench) { return runControl(row, workbench.device()); }});
+    cases.push_back(caseOf(fmt::format("control.{}", row.name), "control", pipelineOf(row),
+                           [row](Workbench& workbench) { return runControl(row, workbench.device()); }));
   }
   return cases;
 }

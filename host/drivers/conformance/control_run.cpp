@@ -8,11 +8,20 @@
 
 namespace candela::conformance {
 
+namespace {
+
+ShaderRun shaderOf(const ControlRow& row) {
+  return {spirv::control, row.invocations, row.parameter, {{0, row.function}}};
+}
+
+}  // namespace
+
+CasePipeline pipelineOf(const ControlRow& row) { return pipelineOf(shaderOf(row)); }
+
 Finding runControl(const ControlRow& row, vulkan::Device& device) {
   std::vector<std::uint32_t> inputs;
   for (std::uint32_t i = 0; i < row.invocations; ++i) inputs.push_back(nextWord(i));
-  const std::vector<Words> found = runShader<Words>(
-      device, {spirv::control, row.invocations, row.parameter, {{0, row.function}}}, inputs, inputs.size());
+  const std::vector<Words> found = runShader<Words>(device, shaderOf(row), inputs, inputs.size());
   Mismatches mismatches;
   for (std::uint32_t i = 0; i < row.invocations; ++i) {
     const Words expected = row.twin(inputs[i], row.parameter);

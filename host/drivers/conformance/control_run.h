@@ -1,6 +1,6 @@
 // Runs a function of shaders/conformance/control.comp and compares each invocation with its counterpart on the host.
 #pragma once
-#include "host/drivers/conformance/case.h"
+#include "host/drivers/conformance/case_pipeline.h"
 #include "host/drivers/conformance/control_twins.h"
 
 namespace candela::conformance {
@@ -13,6 +13,7 @@ struct ControlRow {
   std::uint32_t invocations = 1000;  ///< not a multiple of the workgroup size
 };
 
+CasePipeline pipelineOf(const ControlRow& row);
 Finding runControl(const ControlRow& row, vulkan::Device& device);
 
 }  // namespace candela::conformance

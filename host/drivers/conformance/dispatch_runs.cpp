@@ -69,6 +69,8 @@ void recordRounds(vulkan::CommandRecorder& recorder, const vulkan::ComputePipeli
   }
 }
 
+ShaderRun recordsRun() { return {spirv::records, kParts}; }
+
 // Indices of the words that records.comp writes, in the order of its outputs. `k` is c[0] % 3.
 std::array<std::uint32_t, 16> partIndices(std::uint32_t k) {
   return {0, 1, 2, 3, 4, 5, 6, 4 + k, 8, 9, 12 + 4 * k + 2, 12 + 8 + k, 24, 25, 26, 24 + k};
@@ -76,12 +78,11 @@ std::array<std::uint32_t, 16> partIndices(std::uint32_t k) {
 
 }  // namespace
 
+CasePipeline chainPipeline() { return memoryPipeline(kReadNeighbour); }
+
 Finding runChain(vulkan::Device& device) {
   const std::array<std::uint32_t, 2> push{kItems, 0};
-  const vulkan::ComputePipeline pipeline(device, spirv::memory,
-                                         {.bindings = {2, BindingKind::storageBuffer},
-                                          .pushConstantBytes = sizeof push,
-                                          .specialisations = {{0, kReadNeighbour}}});
+  const vulkan::ComputePipeline pipeline = create(chainPipeline(), device);
   WordList words = chainOfWords(kItems);
   vulkan::Buffer even(device, kItems * sizeof(std::uint32_t), Usage::storage);
   vulkan::Buffer odd(device, kItems * sizeof(std::uint32_t), Usage::storage);
@@ -106,9 +107,12 @@ Finding runChain(vulkan::Device& device) {
   return mismatches.finding();
 }
 
+CasePipeline queuePipeline() {
+  return {spirv::queue, {.bindings = {3, BindingKind::storageBuffer}, .pushConstantBytes = 8}};
+}
+
 Finding runQueue(vulkan::Device& device) {
-  const vulkan::ComputePipeline pipeline(device, spirv::queue,
-                                         {.bindings = {3, BindingKind::storageBuffer}, .pushConstantBytes = 8});
+  const vulkan::ComputePipeline pipeline = create(queuePipeline(), device);
   vulkan::Buffer headers(device, 2 * kHeaderBytes, Usage::storage | Usage::indirect);
   vulkan::Buffer queues(device, 2 * kItems * sizeof(std::uint32_t), Usage::storage);
   vulkan::Buffer states(device, 2 * kItems * sizeof(std::uint32_t), Usage::storage);
@@ -155,6 +159,8 @@ Finding runCopies(vulkan::Device& device) {
   return mismatches.finding();
 }
 
+CasePipeline recordsPipeline() { return pipelineOf(recordsRun()); }
+
 Finding runRecords(vulkan::Device& device) {
   const WordList words = chainOfWords(kParts * kPartWords);
   // The words of floats are between 1 and 2, since a device may change the bits of denormal numbers and NaNs.
@@ -164,7 +170,7 @@ Finding runRecords(vulkan::Device& device) {
     const bool isFloat = member < 4 || (member >= 8 && member < 24);
     if (isFloat) parts[i] = 0x3f800000u | (words[i] >> 9);
   }
-  const WordList found = runShader<std::uint32_t>(device, {spirv::records, kParts}, parts, std::size_t{16} * kParts);
+  const WordList found = runShader<std::uint32_t>(device, recordsRun(), parts, std::size_t{16} * kParts);
   Mismatches mismatches;
   for (std::uint32_t part = 0; part < kParts; ++part) {
     const std::uint32_t* const first = &parts[part * kPartWords];

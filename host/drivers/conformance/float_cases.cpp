@@ -142,11 +142,12 @@ std::string describe(const FloatRow& row, const std::array<float, 4>& pair, floa
                      permitted.high, found, std::bit_cast<std::uint32_t>(found));
 }
 
+ShaderRun shaderOf(const FloatRow& row) { return {spirv::floats, kFloatArguments, 0, {{0, row.function}}}; }
+
 Finding runFloat(const FloatRow& row, Workbench& workbench) {
   using Row = std::array<float, 4>;
   const std::vector<Row> pairs = floatArguments(row);
-  const std::vector<Row> found = runShader<Row>(
-      workbench.device(), {spirv::floats, kFloatArguments, 0, {{0, row.function}}}, pairs, pairs.size());
+  const std::vector<Row> found = runShader<Row>(workbench.device(), shaderOf(row), pairs, pairs.size());
   Mismatches mismatches;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Interval permitted = row.permitted(pairs[i][0], pairs[i][1]);
@@ -162,8 +163,8 @@ Finding runFloat(const FloatRow& row, Workbench& workbench) {
 Cases floatCases() {
   Cases cases;
   for (const FloatRow& row : kFloatRows) {
-    cases.push_back({fmt::format("leaf.float.{}", row.name), "leaf.float",
-                     [row](Workbench& workbench) { return runFloat(row, workbench); }});
+    cases.push_back(caseOf(fmt::format("leaf.float.{}", row.name), "leaf.float", pipelineOf(shaderOf(row)),
+                           [row](Workbench& workbench) { return runFloat(row, workbench); }));
   }
   return cases;
 }

@@ -82,10 +82,11 @@ void compareRow(const FunctionRow& row, std::size_t invocation, const Row& u, co
   }
 }
 
+ShaderRun shaderOf(const FunctionRow& row) { return {spirv::functions, kFunctionArguments, 0, {{0, row.function}}}; }
+
 Finding runFunction(const FunctionRow& row, Workbench& workbench) {
   const std::vector<Row> inputs = functionArguments();
-  const std::vector<Row> found = runShader<Row>(
-      workbench.device(), {spirv::functions, kFunctionArguments, 0, {{0, row.function}}}, inputs, inputs.size());
+  const std::vector<Row> found = runShader<Row>(workbench.device(), shaderOf(row), inputs, inputs.size());
   Mismatches mismatches;
   for (std::size_t i = 0; i < inputs.size(); ++i) compareRow(row, i, inputs[i], found[i], mismatches);
   return perInvocation(mismatches.finding());
@@ -157,12 +158,14 @@ Cases functionCases() {
   constexpr const char* kGroup = "leaf.function";
   Cases cases;
   for (const FunctionRow& row : kFunctionRows) {
-    cases.push_back({fmt::format("leaf.function.{}", row.name), kGroup,
-                     [row](Workbench& workbench) { return runFunction(row, workbench); }});
+    cases.push_back(caseOf(fmt::format("leaf.function.{}", row.name), kGroup, pipelineOf(shaderOf(row)),
+                           [row](Workbench& workbench) { return runFunction(row, workbench); }));
   }
+  const CasePipeline film = pipelineOf({.spirv = spirv::film_sums});
+  cases.push_back(caseOf("leaf.film.sums", kGroup, film,
+                         [](Workbench& bench) { return runFilm(filmSamples(20'000), 500, bench); }));
   cases.push_back(
-      {"leaf.film.sums", kGroup, [](Workbench& bench) { return runFilm(filmSamples(20'000), 500, bench); }});
-  cases.push_back({"leaf.film.carry", kGroup, [](Workbench& bench) { return runFilm(carryingSamples(), 1, bench); }});
+      caseOf("leaf.film.carry", kGroup, film, [](Workbench& bench) { return runFilm(carryingSamples(), 1, bench); }));
   return cases;
 }
 

@@ -21,12 +21,32 @@ const std::array<ControlRow, 4> kSubgroupControl{{{"loop.ended_at_the_end", 4, e
                                                   {"switch.in_loop", 9, switched},
                                                   {"stack.deep", 11, deepStack}}};
 
+Finding runShape(const GroupShape& shape, Workbench& workbench) {
+  if (!hasShape(workbench.info(), shape)) return skipped(missingShape(workbench.info(), shape));
+  return runIdentities(shape, workbench.device(), workbench.info().subgroupSize);
+}
+
 Finding runSubgroup(std::uint32_t size, const Workbench& workbench) {
+  if (!hasSubgroupSize(workbench.info(), size)) return skipped(missingSubgroupSize(workbench.info(), size));
   vulkan::Device device = workbench.open({.subgroupSize = size});
   if (Finding finding = runIdentities(kSubgroupShape, device, size); finding.outcome != Outcome::pass) return finding;
   for (const ControlRow& row : kSubgroupControl) {
     if (Finding finding = runControl(row, device); finding.outcome != Outcome::pass) return finding;
   }
+  return passed();
+}
+
+Finding compileShape(const GroupShape& shape, Workbench& workbench) {
+  if (!hasShape(workbench.info(), shape)) return skipped(missingShape(workbench.info(), shape));
+  create(pipelineOf(shape), workbench.device());
+  return passed();
+}
+
+Finding compileSubgroup(std::uint32_t size, const Workbench& workbench) {
+  if (!hasSubgroupSize(workbench.info(), size)) return skipped(missingSubgroupSize(workbench.info(), size));
+  vulkan::Device device = workbench.open({.subgroupSize = size});
+  create(pipelineOf(kSubgroupShape), device);
+  for (const ControlRow& row : kSubgroupControl) create(pipelineOf(row), device);
   return passed();
 }
 
@@ -36,18 +56,14 @@ Cases groupCases() {
   constexpr const char* kChild = "group";
   Cases cases;
   for (const GroupShape& shape : kGroupShapes) {
-    cases.push_back(
-        {fmt::format("group.size.{}x{}x{}", shape.x, shape.y, shape.z), kChild, [shape](Workbench& workbench) {
-           if (!hasShape(workbench.info(), shape)) return skipped(missingShape(workbench.info(), shape));
-           return runIdentities(shape, workbench.device(), workbench.info().subgroupSize);
-         }});
+    cases.push_back({fmt::format("group.size.{}x{}x{}", shape.x, shape.y, shape.z), kChild,
+                     [shape](Workbench& workbench) { return runShape(shape, workbench); },
+                     [shape](Workbench& workbench) { return compileShape(shape, workbench); }});
   }
   for (const std::uint32_t size : kSubgroupSizes) {
-    cases.push_back({fmt::format("group.subgroup.{}", size), kChild, [size](Workbench& workbench) {
-                       const vulkan::DeviceInfo& info = workbench.info();
-                       return hasSubgroupSize(info, size) ? runSubgroup(size, workbench)
-                                                          : skipped(missingSubgroupSize(info, size));
-                     }});
+    cases.push_back({fmt::format("group.subgroup.{}", size), kChild,
+                     [size](Workbench& workbench) { return runSubgroup(size, workbench); },
+                     [size](Workbench& workbench) { return compileSubgroup(size, workbench); }});
   }
   return cases;
 }

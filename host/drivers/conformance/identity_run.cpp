@@ -23,10 +23,7 @@ struct Identities {
 
 Identities dispatchIdentities(const GroupShape& shape, vulkan::Device& device, std::uint32_t count) {
   const std::array<std::uint32_t, 2> push{count, 0};
-  const vulkan::ComputePipeline pipeline(device, spirv::identities,
-                                         {.bindings = {2, vulkan::BindingKind::storageBuffer},
-                                          .pushConstantBytes = sizeof push,
-                                          .specialisations = {{0, shape.x}, {1, shape.y}, {2, shape.z}}});
+  const vulkan::ComputePipeline pipeline = create(pipelineOf(shape), device);
   vulkan::Buffer counts(device, count * sizeof(std::uint32_t), vulkan::Usage::storage);
   vulkan::Buffer outputs(device, count * sizeof(Words), vulkan::Usage::storage);
   counts.fill(0);
@@ -66,6 +63,10 @@ std::string missingSubgroupSize(const vulkan::DeviceInfo& device, std::uint32_t 
   if (device.minSubgroupSize == 0) return "VK_EXT_subgroup_size_control for compute shaders";
   return fmt::format("subgroups of {} invocations in compute shaders (minimum {}, maximum {})", size,
                      device.minSubgroupSize, device.maxSubgroupSize);
+}
+
+CasePipeline pipelineOf(const GroupShape& shape) {
+  return pipelineOf({.spirv = spirv::identities, .specialisations = {{0, shape.x}, {1, shape.y}, {2, shape.z}}});
 }
 
 Finding runIdentities(const GroupShape& shape, vulkan::Device& device, std::uint32_t subgroupSize) {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "host/drivers/conformance/case.h"
+#include "host/drivers/conformance/case_pipeline.h"
 #include "host/trace/vulkan/device.h"
 
 namespace candela::conformance {
@@ -26,6 +26,7 @@ bool hasSubgroupSize(const vulkan::DeviceInfo& device, std::uint32_t size);
 /// Returns the missing feature, VK_EXT_subgroup_size_control or the size, as missingShape() does.
 std::string missingSubgroupSize(const vulkan::DeviceInfo& device, std::uint32_t size);
 
+CasePipeline pipelineOf(const GroupShape& shape);
 /// Runs 3 x 2 x 2 workgroups of this shape. Each invocation must run once, with the right workgroup, local index and
 /// sizes.
 Finding runIdentities(const GroupShape& shape, vulkan::Device& device, std::uint32_t subgroupSize);

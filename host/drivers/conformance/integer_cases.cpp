@@ -125,10 +125,11 @@ Finding compareWords(const std::string& name, const std::vector<Words>& argument
   return perInvocation(mismatches.finding());
 }
 
+ShaderRun shaderOf(const IntegerRow& row) { return {spirv::integers, kArguments, 0, {{0, row.function}}}; }
+
 Finding runInteger(const IntegerRow& row, Workbench& workbench) {
   const std::vector<Words> arguments = integerArguments();
-  const std::vector<Words> found = runShader<Words>(
-      workbench.device(), {spirv::integers, kArguments, 0, {{0, row.function}}}, arguments, arguments.size());
+  const std::vector<Words> found = runShader<Words>(workbench.device(), shaderOf(row), arguments, arguments.size());
   std::vector<Words> expected;
   for (const Words& v : arguments) expected.push_back(row.expected(v));
   return compareWords(row.name, arguments, expected, found);
@@ -160,10 +161,13 @@ std::vector<Words> samplerArguments(std::uint32_t samples) {
   return keys;
 }
 
+ShaderRun shaderOf(const SamplerRow& row) {
+  return {spirv::samplers, kArguments, row.strata, {{gpu::kSpecSampler, row.id}}};
+}
+
 Finding runSampler(const SamplerRow& row, Workbench& workbench) {
   const std::vector<Words> keys = samplerArguments(row.samples);
-  const std::vector<Words> found = runShader<Words>(
-      workbench.device(), {spirv::samplers, kArguments, row.strata, {{gpu::kSpecSampler, row.id}}}, keys, keys.size());
+  const std::vector<Words> found = runShader<Words>(workbench.device(), shaderOf(row), keys, keys.size());
   const reference::Sampler sampler(row.kind, kSeed, row.samples);
   std::vector<Words> expected;
   for (const Words& key : keys) expected.push_back(sampler.group(key[0], key[1], key[2]));
@@ -176,12 +180,12 @@ Finding runSampler(const SamplerRow& row, Workbench& workbench) {
 Cases integerCases() {
   Cases cases;
   for (const IntegerRow& row : kIntegerRows) {
-    cases.push_back({fmt::format("leaf.integer.{}", row.name), "leaf.integer",
-                     [row](Workbench& workbench) { return runInteger(row, workbench); }});
+    cases.push_back(caseOf(fmt::format("leaf.integer.{}", row.name), "leaf.integer", pipelineOf(shaderOf(row)),
+                           [row](Workbench& workbench) { return runInteger(row, workbench); }));
   }
   for (const SamplerRow& row : kSamplerRows) {
-    cases.push_back({fmt::format("leaf.sampler.{}", row.name), "leaf.integer",
-                     [row](Workbench& workbench) { return runSampler(row, workbench); }});
+    cases.push_back(caseOf(fmt::format("leaf.sampler.{}", row.name), "leaf.integer", pipelineOf(shaderOf(row)),
+                           [row](Workbench& workbench) { return runSampler(row, workbench); }));
   }
   return cases;
 }

@@ -147,19 +147,21 @@ Cases memoryCases() {
   constexpr const char* kChild = "memory";
   Cases cases;
   for (const MemoryRow& row : memoryRows()) {
-    cases.push_back({fmt::format("memory.{}", row.name), kChild,
-                     [&row](Workbench& workbench) { return runMemory(row, workbench.device()); }});
+    cases.push_back(caseOf(fmt::format("memory.{}", row.name), kChild, memoryPipeline(row.function),
+                           [&row](Workbench& workbench) { return runMemory(row, workbench.device()); }));
   }
-  const auto add = [&](const char* name, Finding (*run)(vulkan::Device&)) {
-    cases.push_back({name, kChild, [run](Workbench& workbench) { return run(workbench.device()); }});
+  const auto add = [&](const char* name, CasePipeline pipeline, Finding (*run)(vulkan::Device&)) {
+    cases.push_back(
+        caseOf(name, kChild, std::move(pipeline), [run](Workbench& workbench) { return run(workbench.device()); }));
   };
-  add("memory.storage.records", runRecords);
-  add("memory.dispatch.chain", runChain);
-  add("memory.dispatch.queue", runQueue);
-  add("memory.command.copy", runCopies);
+  add("memory.storage.records", recordsPipeline(), runRecords);
+  add("memory.dispatch.chain", chainPipeline(), runChain);
+  add("memory.dispatch.queue", queuePipeline(), runQueue);
+  cases.push_back({"memory.command.copy", kChild, [](Workbench& workbench) { return runCopies(workbench.device()); }});
   for (const BoundsRow& row : boundsRows()) {
     cases.push_back({fmt::format("memory.robust.{}", row.name), "memory.robust",
-                     [&row](Workbench& workbench) { return runBounds(row, workbench); }});
+                     [&row](Workbench& workbench) { return runBounds(row, workbench); },
+                     [&row](Workbench& workbench) { return compileBounds(row, workbench); }});
   }
   return cases;
 }

@@ -4,9 +4,9 @@
 #include <array>
 
 #include "host/base/divide_up.h"
+#include "host/drivers/conformance/shader_run.h"
 #include "host/trace/vulkan/binding_set.h"
 #include "host/trace/vulkan/buffer.h"
-#include "host/trace/vulkan/compute_pipeline.h"
 #include "spirv/memory.h"
 
 namespace candela::conformance {
@@ -17,12 +17,13 @@ WordList wordsOf(const vulkan::Buffer& buffer) {
   return words;
 }
 
+CasePipeline memoryPipeline(std::uint32_t function) {
+  return pipelineOf({.spirv = spirv::memory, .specialisations = {{0, function}}});
+}
+
 Finding runMemory(const MemoryRow& row, vulkan::Device& device) {
   const std::array<std::uint32_t, 2> push{row.invocations, row.parameter};
-  const vulkan::ComputePipeline pipeline(device, spirv::memory,
-                                         {.bindings = {2, vulkan::BindingKind::storageBuffer},
-                                          .pushConstantBytes = sizeof push,
-                                          .specialisations = {{0, row.function}}});
+  const vulkan::ComputePipeline pipeline = create(memoryPipeline(row.function), device);
   vulkan::Buffer data(device, row.dataWords * sizeof(std::uint32_t), vulkan::Usage::storage);
   vulkan::Buffer outputs(device, row.invocations * sizeof(std::uint32_t), vulkan::Usage::storage);
   data.fill(0);

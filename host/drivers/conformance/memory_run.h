@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "host/drivers/conformance/case_pipeline.h"
 #include "host/drivers/conformance/mismatches.h"
 #include "host/trace/vulkan/device.h"
 
@@ -25,6 +26,9 @@ struct MemoryRow {
   void (*check)(const MemoryRow& row, std::span<const std::uint32_t> data, std::span<const std::uint32_t> outputs,
                 Mismatches& mismatches);
 };
+
+/// Returns the pipeline for a function of the shader.
+CasePipeline memoryPipeline(std::uint32_t function);
 
 Finding runMemory(const MemoryRow& row, vulkan::Device& device);
 

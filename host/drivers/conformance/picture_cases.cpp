@@ -77,6 +77,7 @@ class Table {
     picture.alpha = test_.alpha;
     cases_.push_back({fmt::format("kernel.{}.{}", path, picture.scene), "kernel." + group,
                       [picture](Workbench& bench) { return comparePicture(picture, bench); },
+                      [picture](Workbench& bench) { return compilePicture(picture, bench); },
                       [picture](const vulkan::DeviceInfo& device) { return capturePicture(picture, device); }});
   }
   Cases take() { return std::move(cases_); }

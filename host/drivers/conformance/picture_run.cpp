@@ -5,12 +5,14 @@
 
 #include "host/drivers/capture/scene_capture.h"
 #include "host/drivers/conformance/capture_case.h"
+#include "host/drivers/conformance/case_pipeline.h"
 #include "host/drivers/conformance/identity_run.h"
 #include "host/drivers/conformance/scenes.h"
 #include "host/drivers/conformance/workbench.h"
 #include "host/judge/explain/explanation.h"
 #include "host/judge/verify/agreement.h"
 #include "host/trace/device/gpu_renderer.h"
+#include "host/trace/device/scene_kernels.h"
 #include "host/trace/device/workgroup.h"
 
 namespace candela::conformance {
@@ -50,6 +52,11 @@ std::string missingFor(const Picture& picture, const vulkan::DeviceInfo& device)
   return missingSubgroupSize(device, picture.subgroupSize);
 }
 
+// Returns a device whose pipelines require the subgroup size of the picture.
+vulkan::Device deviceFor(const Picture& picture, Workbench& workbench) {
+  return picture.subgroupSize == 0 ? workbench.device() : workbench.open({.subgroupSize = picture.subgroupSize});
+}
+
 // Returns a renderer whose pipelines require the subgroup size of the picture.
 std::unique_ptr<render::Renderer> rendererFor(const Picture& picture, const Workbench& workbench) {
   return device::makeGpuRenderer(workbench.open({.subgroupSize = picture.subgroupSize}));
@@ -65,10 +72,21 @@ Finding comparePicture(const Picture& picture, Workbench& workbench) {
   return compareOn(*rendererFor(picture, workbench), picture, workbench.reference());
 }
 
+Finding compilePicture(const Picture& picture, Workbench& workbench) {
+  if (std::string missing = missingFor(picture, workbench.info()); !missing.empty()) return skipped(std::move(missing));
+  render::RenderSettings settings = picture.settings();
+  render::SceneLoads& loads = settings.execution.automatic.sceneLoads;
+  if (loads == render::SceneLoads::automatic) loads = render::SceneLoads::texel;
+  const device::SceneKernels kernels = device::kernelsOf(workbench.info(), sceneNamed(picture.scene), settings);
+  vulkan::Device device = deviceFor(picture, workbench);
+  for (const auto& spirv : kernels.kernel.spirv) create({spirv, kernels.options}, device);
+  return passed();
+}
+
 capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device,
                                 const vulkan::PrepareShader& prepareShader) {
   if (const std::string missing = missingFor(picture, device); !missing.empty()) refuseMissing(device, missing);
-  Workbench workbench(device, {}, prepareShader);
+  Workbench workbench(device, {.prepareShader = prepareShader});
   const scene::Scene& scene = sceneNamed(picture.scene);
   const std::unique_ptr<render::Renderer> renderer = rendererFor(picture, workbench);
   verify::PathRenders ignored;

@@ -25,6 +25,11 @@ struct Picture {
 /// Throws as Renderer::prepare() does.
 Finding comparePicture(const Picture& picture, Workbench& workbench);
 
+/// Creates the pipelines with which a session would render the picture, and renders nothing. Skipped as
+/// comparePicture() is. Scenes are loaded by texels where the picture leaves it to the device, which cannot be
+/// measured. Throws as device::kernelsOf() does.
+Finding compilePicture(const Picture& picture, Workbench& workbench);
+
 /// Captures sample 0 of the pixel of the picture that differs most, with the subgroup size of the picture. Throws as
 /// capture::captureScene() does, and UsageError if the device lacks the workgroup or the subgroup size.
 capture::Capture capturePicture(const Picture& picture, const vulkan::DeviceInfo& device,

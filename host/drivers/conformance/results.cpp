@@ -78,6 +78,7 @@ nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& de
                {"driver", device.driver},
                {"agrees", run.interrupted ? nlohmann::ordered_json() : nlohmann::ordered_json(run.isExpected())},
                {"interrupted", run.interrupted},
+               {"compileOnly", run.compilesOnly},
                {"seconds", seconds}});
   json["counts"] = nlohmann::ordered_json::object();
   for (const auto& [status, count] : countStatuses(run)) json["counts"][wordOf(status)] = count;
@@ -95,8 +96,9 @@ nlohmann::ordered_json toJson(const RunResult& run, const vulkan::DeviceInfo& de
 std::string toJunit(const RunResult& run, const vulkan::DeviceInfo& device, double seconds) {
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   xml += fmt::format(
-      "<testsuite name=\"candela conformance {}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
-      xmlEscaped(device.name), run.cases.size(), countUnexpected(run), countStatuses(run)[Status::skip], seconds);
+      "<testsuite name=\"candela conformance{} {}\" tests=\"{}\" failures=\"{}\" skipped=\"{}\" time=\"{:.3f}\">\n",
+      run.compilesOnly ? " --compile-only" : "", xmlEscaped(device.name), run.cases.size(), countUnexpected(run),
+      countStatuses(run)[Status::skip], seconds);
   for (const CaseResult& one : run.cases) xml += xmlOf(one);
   return xml + "</testsuite>\n";
 }

@@ -69,9 +69,10 @@ Status statusOf(Outcome outcome) {
   return outcome == Outcome::pass ? Status::pass : Status::fail;
 }
 
-ChildNote ask(const Case& question, Workbench& workbench) {
+ChildNote ask(const Case& question, Workbench& workbench, bool compilesOnly) {
+  if (compilesOnly && !question.compile) return {Status::skip, "the case has no shader"};
   try {
-    Finding finding = question.run(workbench);
+    Finding finding = compilesOnly ? question.compile(workbench) : question.run(workbench);
     return {statusOf(finding.outcome), std::move(finding.text)};
   } catch (const DeviceLostError& error) {
     return {Status::crash, error.what()};
@@ -101,13 +102,13 @@ ChildNote noteFrom(const nlohmann::json& json) {
 }
 
 /// Runs the cases, and ends early after a device was lost, because it cannot run any more.
-void runInThisProcess(const std::vector<const Case*>& cases, const vulkan::DeviceInfo& device,
+void runInThisProcess(const std::vector<const Case*>& cases, const vulkan::DeviceInfo& device, bool compilesOnly,
                       const process::ChildProcess::Send& send) {
-  Workbench workbench(device);
+  Workbench workbench(device, {.compilesOnly = compilesOnly});
   for (const Case* const question : cases) {
     send(toJson({}));
     Stopwatch watch;
-    ChildNote note = ask(*question, workbench);
+    ChildNote note = ask(*question, workbench, compilesOnly);
     note.seconds = watch.lap();
     addValidation(note);
     send(toJson(note));
@@ -155,6 +156,7 @@ class Runner {
       collectEnded();
     }
     result_.interrupted = isStopped();
+    result_.compilesOnly = options_.compilesOnly;
     std::ranges::sort(result_.cases, {}, &CaseResult::name);
     return std::move(result_);
   }
@@ -173,7 +175,7 @@ class Runner {
     started.batch = std::move(batches.front());
     batches.pop_front();
     started.child = std::make_unique<ChildProcess>(options_.timeout, [&](const ChildProcess::Send& send) {
-      runInThisProcess(started.batch.cases, device_, send);
+      runInThisProcess(started.batch.cases, device_, options_.compilesOnly, send);
     });
   }
 

@@ -25,6 +25,7 @@ struct RunOptions {
   std::uint32_t jobs = 1;                     ///< maximum number of child processes at a time, >= 1
   std::chrono::milliseconds timeout{60'000};  ///< for each case
   std::optional<std::uint32_t> shuffle{};     ///< seed of the order of the cases; absent: the order of the table
+  bool compilesOnly = false;                  ///< the pipelines of the cases are created, and nothing is run
   Expectations expectations{};
   const std::atomic<bool>* stop = nullptr;        ///< polled; if true, the children are killed and the run ends
   std::function<void(const CaseResult&)> note{};  ///< called with each result; may be empty
@@ -33,6 +34,7 @@ struct RunOptions {
 struct RunResult {
   std::vector<CaseResult> cases;  ///< sorted by name; those that ended
   bool interrupted = false;
+  bool compilesOnly = false;  ///< RunOptions::compilesOnly
 
   /// Returns whether every case ended with the expected result.
   bool isExpected() const;

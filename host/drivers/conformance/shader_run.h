@@ -7,6 +7,7 @@
 
 #include "host/base/divide_up.h"
 #include "host/drivers/capture/expected_value.h"
+#include "host/drivers/conformance/case_pipeline.h"
 #include "host/trace/vulkan/binding_set.h"
 #include "host/trace/vulkan/buffer.h"
 #include "host/trace/vulkan/compute_pipeline.h"
@@ -29,6 +30,8 @@ struct ShaderRun {
   std::vector<vulkan::Specialisation> specialisations{};
 };
 
+CasePipeline pipelineOf(const ShaderRun& run);
+
 /// The binding of the outputs.
 inline constexpr std::uint32_t kOutputs = 1;
 
@@ -43,10 +46,7 @@ std::vector<Output> runShader(vulkan::Device& device, const ShaderRun& run, cons
                               std::size_t outputCount) {
   constexpr std::uint32_t kUnwritten = 0xdeadbeefu;
   const std::array<std::uint32_t, 2> push{run.invocations, run.parameter};
-  const vulkan::ComputePipeline pipeline(device, run.spirv,
-                                         {.bindings = {2, vulkan::BindingKind::storageBuffer},
-                                          .pushConstantBytes = sizeof push,
-                                          .specialisations = run.specialisations});
+  const vulkan::ComputePipeline pipeline = create(pipelineOf(run), device);
   vulkan::Buffer in(device, inputs.size() * sizeof(Input), vulkan::Usage::storage);
   vulkan::Buffer out(device, outputCount * sizeof(Output), vulkan::Usage::storage);
   in.upload(std::as_bytes(std::span(inputs)));

@@ -65,7 +65,7 @@ class BothForms {
 class SampleFilms {
  public:
   SampleFilms(const Picture& picture, const vulkan::DeviceInfo& device, const vulkan::PrepareShader& form)
-      : workbench_(device, {}, form),
+      : workbench_(device, {.prepareShader = form}),
         session_(workbench_.renderer().prepare(sceneNamed(picture.scene), picture.settings())) {}
 
   image::Film film(std::uint32_t sample) {

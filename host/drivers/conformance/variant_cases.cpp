@@ -58,10 +58,21 @@ Observation observeFinding(const Finding& finding) {
   return {finding.outcome == Outcome::pass ? "Pass" : "Fail", finding.text};
 }
 
+using Compile = std::function<Finding(Workbench&)>;
+
+Finding compileForm(const Compile& compile, const Variant& variant, const Workbench& workbench) {
+  Workbench form(workbench.info(), {.prepareShader = variants::preparation(variant), .compilesOnly = true});
+  return compile(form);
+}
+
 using CaptureVariant = std::function<capture::Capture(const Variant&, const vulkan::DeviceInfo&)>;
 
-Case caseOf(const std::string& name, const VariantQuestion& question, const CaptureVariant& capture) {
-  return {name, question.group, [question](Workbench& bench) { return compareForms(question, bench); },
+Case caseOf(const std::string& name, const VariantQuestion& question, const Compile& compile,
+            const CaptureVariant& capture) {
+  return {name,
+          question.group,
+          [question](Workbench& bench) { return compareForms(question, bench); },
+          [compile, variant = question.variant](Workbench& bench) { return compileForm(compile, variant, bench); },
           [=](const vulkan::DeviceInfo& device) { return capture(question.variant, device); },
           [question](const vulkan::DeviceInfo& device, const ShrinkLimits& limits) {
             return smallestDifference(question, device, limits);
@@ -75,7 +86,7 @@ void addFilms(const KernelRow& row, Cases& cases) {
       cases.push_back(caseOf(fmt::format("variants.{}.{}.{}", row.name, variant.name, scene),
                              {fmt::format("variants.{}.{}", row.name, scene), variant,
                               [picture](Workbench& bench) { return observeFilm(picture, bench); }},
-                             std::bind_front(captureForms, picture)));
+                             std::bind_front(compilePicture, picture), std::bind_front(captureForms, picture)));
     }
   }
 }
@@ -88,7 +99,7 @@ void addVerdicts(const KernelRow& row, Cases& cases) {
     cases.push_back(caseOf(fmt::format("variants.{}.{}_undecorated.{}", row.name, variant.name, picture.scene),
                            {fmt::format("variants.{}.undecorated", row.name), withContraction(variant),
                             [picture](Workbench& bench) { return observeFinding(comparePicture(picture, bench)); }},
-                           std::bind_front(captureVerdict, picture)));
+                           std::bind_front(compilePicture, picture), std::bind_front(captureVerdict, picture)));
   }
 }
 
@@ -104,7 +115,7 @@ void addModules(const Cases& table, Cases& cases) {
       cases.push_back(caseOf(fmt::format("variants.module.{}.{}", variant.name, one.name),
                              {"variants.module." + one.name, variant,
                               [run = one.run](Workbench& bench) { return observeFinding(run(bench)); }},
-                             std::bind_front(captureModule, one)));
+                             one.compile, std::bind_front(captureModule, one)));
     }
   }
 }

@@ -35,7 +35,7 @@ Observation observeForm(const VariantQuestion& question, const variants::Variant
   withoutProbe.isMeant = [isMeant = scope.isMeant](std::span<const std::uint32_t> spirv) {
     return std::ranges::count(kProbes, moduleName(spirv)) == 0 && (!isMeant || isMeant(spirv));
   };
-  Workbench workbench(device, {}, variants::preparation(form, withoutProbe));
+  Workbench workbench(device, {.prepareShader = variants::preparation(form, withoutProbe)});
   return question.observe(workbench);
 }
 

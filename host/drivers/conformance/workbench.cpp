@@ -6,16 +6,13 @@
 
 namespace candela::conformance {
 
-Workbench::Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording,
-                     vulkan::PrepareShader prepareShader)
-    : info_(std::move(info)),
-      recording_(std::move(recording)),
-      prepareShader_(std::move(prepareShader)),
-      reference_(reference::makeReferenceRenderer()) {}
+Workbench::Workbench(vulkan::DeviceInfo info, vulkan::DeviceOptions common)
+    : info_(std::move(info)), common_(std::move(common)), reference_(reference::makeReferenceRenderer()) {}
 
 vulkan::Device Workbench::open(vulkan::DeviceOptions options) const {
-  options.recording = recording_;
-  options.prepareShader = prepareShader_;
+  options.recording = common_.recording;
+  options.prepareShader = common_.prepareShader;
+  options.compilesOnly = common_.compilesOnly;
   return vulkan::Device::open(info_, options);
 }
 

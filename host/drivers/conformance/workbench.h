@@ -13,13 +13,11 @@ namespace candela::conformance {
 
 class Workbench {
  public:
-  /// `recording` receives all work of the devices of open(); null: nothing is recorded. `prepareShader`
-  /// is DeviceOptions::prepareShader.
-  explicit Workbench(vulkan::DeviceInfo info, std::shared_ptr<vulkan::Recording> recording = {},
-                     vulkan::PrepareShader prepareShader = {});
+  /// All devices of open() have the recording, the preparation of shaders and `compilesOnly` of `common`.
+  explicit Workbench(vulkan::DeviceInfo info, vulkan::DeviceOptions common = {});
 
   const vulkan::DeviceInfo& info() const { return info_; }
-  /// Opens the device with these options.
+  /// Opens the device with these options, and those of the constructor.
   vulkan::Device open(vulkan::DeviceOptions options) const;
   /// Returns the device, which the first call opens without optional features.
   vulkan::Device& device();
@@ -32,8 +30,7 @@ class Workbench {
 
  private:
   vulkan::DeviceInfo info_;
-  std::shared_ptr<vulkan::Recording> recording_;
-  vulkan::PrepareShader prepareShader_;
+  vulkan::DeviceOptions common_;
   std::optional<vulkan::Device> device_;
   std::unique_ptr<render::Renderer> renderer_;
   std::unique_ptr<render::Renderer> reference_;

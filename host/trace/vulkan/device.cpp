@@ -17,9 +17,7 @@ Device Device::open(const std::string& selector, const DeviceOptions& options) {
   std::vector<vk::raii::PhysicalDevice> devices;
   if (instance) devices = instance->physicalDevices();
   std::vector<DeviceInfo> infos = describeAll(devices);
-  if (options.compilesOnly) {
-    for (DeviceInfo& info : infos) info.usable = info.compiles;
-  }
+  if (options.compilesOnly) allowCompilers(infos);
   const DeviceInfo& info = chooseDevice(infos, selector);
   return Device(guarded("open the device", [&] {
     return std::make_shared<Impl>(std::move(*instance), std::move(devices[info.index]), info, options);

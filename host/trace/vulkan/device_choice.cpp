@@ -82,6 +82,10 @@ std::string describeDevices(std::span<const DeviceInfo> devices) {
   return text;
 }
 
+void allowCompilers(std::span<DeviceInfo> devices) {
+  for (DeviceInfo& device : devices) device.usable = device.compiles;
+}
+
 const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector) {
   if (devices.empty()) throw NoDeviceError(fmt::format("no Vulkan device found{}; {}", chosenDrivers(), howToGoOn()));
   const DeviceInfo* device = selector.empty() ? bestDevice(devices) : namedDevice(devices, selector);

@@ -11,6 +11,9 @@ namespace candela::vulkan {
 /// discrete GPU, integrated GPU, virtual GPU, CPU. Null if no device is usable.
 const DeviceInfo* bestDevice(std::span<const DeviceInfo> devices);
 
+/// Makes devices usable that only compile, for DeviceOptions::compilesOnly.
+void allowCompilers(std::span<DeviceInfo> devices);
+
 /// Applies the rule of selectDevice() to a list. Throws NoDeviceError.
 const DeviceInfo& chooseDevice(std::span<const DeviceInfo> devices, const std::string& selector);
 

@@ -155,6 +155,10 @@ TEST_CASE("a GPU that is not there compiles and reports, and devices, doctor and
       CHECK(row[figure].get<double>() > 0);
     for (const char* figure : {"spillsToMemory", "spillsToRegisters"}) CHECK(row[figure].is_number());
   }
+  const ProgramResult cases = runCandela({"conformance", "--compile-only", "--cases", "leaf.film.*"}, surroundings);
+  INFO(cases.err);
+  CHECK(cases.exitCode == 0);
+  CHECK(runCandela({"conformance", "--cases", "leaf.film.*"}, surroundings).exitCode == 4);
 }
 
 TEST_CASE("the reference has no kernels, and without a valid scene nothing is written") {

@@ -86,6 +86,8 @@ TEST_CASE("conformance refuses what it cannot do, and says what to do instead") 
                             {{"--skips", "/nonexistent/skips.txt", "--skips", wrong}, 2, "/nonexistent/skips.txt"},
                             {{"--flakes", "/nonexistent/flakes.txt", "--flakes", wrong}, 2, "/nonexistent/flakes.txt"},
                             {{"--csv", "/nonexistent/results.csv"}, 2, "/nonexistent"},
+                            {{"--compile-only", "--capture", "captures"}, 1, "--capture: this option applies only"},
+                            {{"--compile-only", "--seed", "1"}, 1, "--seed: this option applies only"},
                             {{}, 4, "apt-get install mesa-vulkan-drivers"}}) {
     const ProgramResult result = runConformance(refusal.words);
     INFO(result.err);

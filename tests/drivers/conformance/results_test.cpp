@@ -41,6 +41,7 @@ TEST_CASE("JSON has every case, the counts and the device") {
   CHECK(json["schema"] == "candela-conformance/2");
   CHECK(json["device"] == "made & device");
   CHECK(json["agrees"] == false);
+  CHECK(json["compileOnly"] == false);
   CHECK(json["counts"]["Pass"] == 1);
   CHECK(json["counts"]["UnexpectedImprovement"] == 1);
   CHECK(json["cases"].size() == 4);
@@ -57,6 +58,13 @@ TEST_CASE("JUnit XML has a failure for each unexpected result, escaped") {
   CHECK_THAT(xml, Contains("<skipped message=\"no &lt;feature&gt;\"/>"));
   CHECK_THAT(xml, Contains("<failure type=\"UnexpectedImprovement(Pass)\""));
   CHECK_THAT(xml, Contains("name=\"candela conformance made &amp; device\""));
+}
+
+TEST_CASE("results say that cases were only compiled") {
+  RunResult run = madeRun();
+  run.compilesOnly = true;
+  CHECK(toJson(run, madeDevice(), 3)["compileOnly"] == true);
+  CHECK_THAT(toJunit(run, madeDevice(), 3), Contains("name=\"candela conformance --compile-only made &amp; device\""));
 }
 
 TEST_CASE("JUnit XML is well-formed whatever a text contains") {

@@ -81,6 +81,25 @@ class SharedCounts {
 
 }  // namespace
 
+TEST_CASE("a run that only compiles creates the pipelines of a case, and does not run it") {
+  const auto compiled = [](const std::string& name, Finding (*compile)(Workbench&)) {
+    return Case{name, "g", crash, compile};
+  };
+  const auto results = byName(
+      runMade({compiled("a.pass", [](Workbench&) { return passed(); }),
+               compiled("a.skip", [](Workbench&) { return skipped("a feature"); }),
+               compiled("a.error", [](Workbench&) -> Finding { throw InternalError("no pipeline"); }),
+               compiled("a.crash", crash), made("a.copy", "g", crash)},
+              {.compilesOnly = true}));
+  CHECK(results.at("a.pass").verdict.status == Status::pass);
+  CHECK(results.at("a.skip").verdict.status == Status::skip);
+  CHECK(results.at("a.error").verdict.status == Status::fail);
+  CHECK_THAT(results.at("a.error").text, Contains("no pipeline"));
+  CHECK(results.at("a.crash").verdict.status == Status::crash);
+  CHECK(results.at("a.copy").verdict.status == Status::skip);
+  CHECK(results.at("a.copy").text == "the case has no shader");
+}
+
 TEST_CASE("each case ends in the result that it finds") {
   const auto results = byName(
       runMade({made("a.pass", "g", [](Workbench&) { return passed(); }),
