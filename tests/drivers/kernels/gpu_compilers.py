@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compiles the kernels of many scenes for eight GPUs that need not exist, and compares the figures with recorded ones.
+"""Compiles our shaders for eight GPUs that need not exist, and compares the figures of kernels with recorded ones.
 
     python3 tests/drivers/kernels/gpu_compilers.py make --root ROOT [--mirror URL]
     python3 tests/drivers/kernels/gpu_compilers.py check --root ROOT --program PROGRAM [--reports FOLDER] [--models FOLDER]
@@ -17,6 +17,10 @@ of the scene on a driver of this machine. What drivers print otherwise is listed
 
 The scenes are those of scenes/, some of them with other structures, and what `candela generate` writes: many features of
 glTF. --models adds the glTF files below a folder: they must compile, but their figures are not recorded.
+
+The shaders of the conformance cases are compiled, too, by `candela conformance --compile-only`, which runs every case in a
+child process; with --variants, so are the variants of shaders. They must compile, and have no figures. --cases "^conformance"
+chooses them alone.
 
 gpu_compilers.json has the figures, one line for each kernel: occupancy, spills to memory, spills to registers, registers,
 instructions, or null where the driver does not report one. Its first key is the version of Mesa, because each has other
@@ -142,7 +146,8 @@ class Machine:
     def inside(self, path):
         return "/" + str(path.relative_to(self.root))
 
-    def command(self, gpu, case):
+    def program_on(self, gpu):
+        """The words that start the program in the root, on the GPU."""
         variables = {
             "LD_LIBRARY_PATH": self.inside(self.folder / "lib"),
             "LD_PRELOAD": f"lib{gpu.shim}_noop_drm_shim.so",
@@ -152,8 +157,11 @@ class Machine:
             "PATH": "/usr/bin",
         } | gpu.variables
         return ["chroot", str(self.root), "/usr/bin/env", "-i", *(f"{name}={value}" for name, value in variables.items()),
-                self.inside(self.folder / "candela"), "kernels", self.inside(case.scene), "--all-kernels", "--untuned",
-                "--no-cache", "--quiet", "--json", "-", *case.options]
+                self.inside(self.folder / "candela")]
+
+    def command(self, gpu, case):
+        return [*self.program_on(gpu), "kernels", self.inside(case.scene), "--all-kernels", "--untuned", "--no-cache", "--quiet",
+                "--json", "-", *case.options]
 
     def report(self, gpu, case):
         """What came of one scene: the JSON document, or None, and what was printed besides."""
@@ -166,26 +174,54 @@ class Machine:
             return None, f"exit code {done.returncode}\n{done.stderr.strip()}"
         return json.loads(done.stdout), done.stderr
 
-    def keep_failure(self, gpu, case, text):
-        """A folder with what repeats a failure."""
-        folder = self.options.failures / gpu.name / re.sub(r"[^\w.-]+", "_", case.name)
+    def conformance_command(self, gpu, options):
+        seconds = f"{self.options.timeout:g}s"
+        return [*self.program_on(gpu), "conformance", "--compile-only", "--jobs", "1", "--timeout", seconds, "--quiet", *options]
+
+    def conformance(self, gpu, options):
+        """The report of all conformance cases, and what was printed besides."""
+        done = subprocess.run([*self.conformance_command(gpu, options), "--json", "-"], capture_output=True, text=True,
+                              errors="replace")
+        try:
+            return json.loads(done.stdout), done.stderr
+        except ValueError as error:
+            raise Failure(f"{gpu.name}, conformance: exit code {done.returncode}\n{done.stderr.strip()}") from error
+
+    def failure_folder(self, gpu, name, text, command, cases):
+        """A folder with what was printed, and the commands that repeat a failure. `cases`: the words for --cases."""
+        folder = self.options.failures / gpu.name / re.sub(r"[^\w.-]+", "_", name)
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "printed.txt").write_text(text + "\n")
-        shutil.copy(case.scene, folder)
         again = ["python3", str(Path(__file__).resolve()), "check", "--root", str(self.root), "--program",
-                 str(self.options.program.resolve()), "--gpus", gpu.name, "--cases", f"^{re.escape(case.name)}$"]
+                 str(self.options.program.resolve()), "--gpus", gpu.name, "--cases", *cases]
         if self.options.models:
             again += ["--models", str(self.options.models.resolve())]
         (folder / "again.sh").write_text(f"# The whole command, and the one that it runs in the root.\n{shlex.join(again)}\n"
-                                         f"# {shlex.join(self.command(gpu, case))}\n")
+                                         f"# {shlex.join(command)}\n")
+        return folder
+
+    def capture(self, folder, words):
+        """The program that `candela capture` writes on a driver of this machine."""
         shutil.rmtree(folder / "capture", ignore_errors=True)
-        unused = {"--aov": 1}  # options that captures do not have
-        words = [word for index, word in enumerate(case.options)
-                 if word not in unused and (index == 0 or case.options[index - 1] not in unused)]
-        capture = [str(self.options.program), "capture", str(case.scene), *words, "-q", "-o", str(folder / "capture")]
+        capture = [str(self.options.program), "capture", *words, "-q", "-o", str(folder / "capture")]
         done = subprocess.run(capture, capture_output=True, text=True)
         if done.returncode != 0:
             (folder / "no_capture.txt").write_text(f"{shlex.join(capture)}\nexit code {done.returncode}\n{done.stderr}")
+
+    def keep_case(self, gpu, name, text):
+        """What repeats the failure of a conformance case."""
+        words = ["--variants"] if name.startswith("variants.") else []
+        command = self.conformance_command(gpu, ["--cases", name, *words])
+        self.capture(self.failure_folder(gpu, f"conformance {name}", text, command, ["^conformance$", *words]), [name])
+
+    def keep_failure(self, gpu, case, text):
+        """What repeats the failure of a scene."""
+        folder = self.failure_folder(gpu, case.name, text, self.command(gpu, case), [f"^{re.escape(case.name)}$"])
+        shutil.copy(case.scene, folder)
+        unused = {"--aov": 1}  # options that captures do not have
+        words = [word for index, word in enumerate(case.options)
+                 if word not in unused and (index == 0 or case.options[index - 1] not in unused)]
+        self.capture(folder, [str(case.scene), *words])
 
 
 def compile_all(options):
@@ -194,7 +230,7 @@ def compile_all(options):
     with Machine(options) as machine:
         cases = machine.cases()
         for gpu in chosen_gpus(options):
-            result = {"device": "", "driver": "", "cases": {}, "recorded": [], "notices": collections.Counter()}
+            result = {"device": "", "driver": "", "cases": {}, "recorded": [], "conformance": {}, "notices": collections.Counter()}
             for case in cases:
                 document, printed = machine.report(gpu, case)
                 if case.recorded:
@@ -206,7 +242,8 @@ def compile_all(options):
                         machine.keep_failure(gpu, case, printed)
                     continue
                 result["device"], result["driver"] = document["device"], document["driver"]
-                result["notices"].update(re.sub(r"0x[0-9a-f]+", "0x...", line) for line in printed.splitlines() if line.strip())
+                add_notices(result, printed)
+            compile_conformance(options, machine, gpu, result)
             reports[gpu.name] = result
             if options.reports:
                 options.reports.mkdir(parents=True, exist_ok=True)
@@ -215,11 +252,36 @@ def compile_all(options):
     return reports
 
 
+def add_notices(result, printed):
+    result["notices"].update(re.sub(r"0x[0-9a-f]+", "0x...", line) for line in printed.splitlines() if line.strip())
+
+
+def compile_conformance(options, machine, gpu, result):
+    """Adds the results of the conformance cases."""
+    for words in [[]] + [["--variants"]] * options.variants:
+        if not re.search(options.cases, "conformance"):
+            return
+        report, printed = machine.conformance(gpu, words)
+        result["device"], result["driver"] = report["device"], report["driver"]
+        add_notices(result, printed)
+        for case in report["cases"]:
+            name, outcome = case["name"], case["result"]
+            result["conformance"][name] = outcome
+            if outcome in ("Pass", "Skip"):
+                continue
+            print(f"FAILED: {gpu.name}, conformance case {name}: {outcome}: {case['text']}", flush=True)
+            if options.failures:
+                machine.keep_case(gpu, name, f"{outcome}: {case['text']}")
+
+
 def print_summary(gpu, result):
     failed = sum(rows is None for rows in result["cases"].values())
     kernels = sum(len(rows or []) for rows in result["cases"].values())
     print(f"{gpu}: {result['device']}, {result['driver']}: {kernels} kernels of {len(result['cases'])} scenes compiled, "
           f"{failed} scenes failed", flush=True)
+    counts = collections.Counter(result["conformance"].values())
+    if counts:
+        print(f"{gpu}: conformance cases compiled: " + ", ".join(f"{name} {count}" for name, count in sorted(counts.items())))
     for notice, count in sorted(result["notices"].items()):
         print(f"  the driver prints {count} times: {notice}", flush=True)
 
@@ -305,7 +367,10 @@ def baseline_text(baseline):
 
 
 def failed_cases(reports):
-    return sum(rows is None for result in reports.values() for rows in result["cases"].values())
+    """The number of scenes and conformance cases that did not compile."""
+    scenes = sum(rows is None for result in reports.values() for rows in result["cases"].values())
+    return scenes + sum(outcome not in ("Pass", "Skip") for result in reports.values()
+                        for outcome in result["conformance"].values())
 
 
 def check(options, reports):
@@ -320,7 +385,7 @@ def check(options, reports):
 
 def record(options, reports):
     if failed_cases(reports):
-        print("nothing is recorded, because scenes failed")
+        print("nothing is recorded, because scenes or conformance cases failed")
         return 1
     version = mesa_version(reports)
     baseline = load_baseline()
@@ -391,8 +456,9 @@ def main():
     parser.add_argument("--mirror", default="http://deb.debian.org/debian", help="for `make`: where Debian is")
     parser.add_argument("--program", type=Path, help="the candela program")
     parser.add_argument("--models", type=Path, help="folder of glTF files that are compiled, too")
+    parser.add_argument("--variants", action="store_true", help="compile the variants of shaders, too: many minutes for each GPU")
     parser.add_argument("--gpus", default="", help="names, separated by commas: " + ", ".join(gpu.name for gpu in GPUS))
-    parser.add_argument("--cases", default="", help="regular expression of the names of scenes")
+    parser.add_argument("--cases", default="", help="regular expression of the names of scenes, and of `conformance`")
     parser.add_argument("--reports", type=Path, help="folder that keeps the reports")
     parser.add_argument("--reuse", action="store_true", help="compile nothing, and read the reports")
     parser.add_argument("--failures", type=Path, help="folder for what repeats failures")

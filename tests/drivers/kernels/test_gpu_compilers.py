@@ -21,7 +21,7 @@ def row(figures=FIGURES, kernel="megakernel"):
 
 def report(rows, driver="radv Mesa 26.2.6-1"):
     return {"device": "made", "driver": driver, "cases": {"a.p3f": rows, "model.glb": rows}, "recorded": ["a.p3f"],
-            "notices": collections.Counter()}
+            "conformance": {}, "notices": collections.Counter()}
 
 
 def run(command, reports, baseline, **options):
@@ -82,6 +82,12 @@ class Check(unittest.TestCase):
         for version in ("26.2.6", "26.3.0"):
             self.assertEqual(run(gpu_compilers.check, reports, baseline(version=version))[0], 1)
 
+    def test_a_conformance_case_that_did_not_compile_fails(self):
+        reports = {"navi21": report([row()])}
+        for outcome, code in (("Pass", 0), ("Skip", 0), ("Fail", 1), ("Crash", 1), ("Timeout", 1)):
+            reports["navi21"]["conformance"] = {"leaf.film.sums": outcome}
+            self.assertEqual(run(gpu_compilers.check, reports, baseline())[0], code, outcome)
+
     def test_reports_of_two_versions_are_refused(self):
         reports = {"navi21": report([row()]), "m1": report([row()], "Honeykrisp Mesa 26.3.0")}
         with self.assertRaises(gpu_compilers.Failure):
@@ -98,9 +104,11 @@ class Record(unittest.TestCase):
         code, _, recorded = run(gpu_compilers.record, reports, baseline(), replace=True)
         self.assertEqual((code, recorded), (0, baseline([0.5, 0, None, 100, 900])))
 
-    def test_nothing_is_recorded_if_a_scene_failed(self):
+    def test_nothing_is_recorded_if_a_scene_or_a_case_failed(self):
         code, _, recorded = run(gpu_compilers.record, {"navi21": report(None)}, {})
         self.assertEqual((code, recorded), (1, {}))
+        reports = {"navi21": report([row()]) | {"conformance": {"leaf.film.sums": "Crash"}}}
+        self.assertEqual(run(gpu_compilers.record, reports, {})[0], 1)
 
 
 class Table(unittest.TestCase):
