@@ -2,6 +2,7 @@
 // all test primitives.
 #ifndef CANDELA_BVH_GLSL
 #define CANDELA_BVH_GLSL
+#include "stack.glsl"
 
 // A subtree that is pending or current. If count is 0, `reference` is an interior node; otherwise it is the first of
 // `count` slots.
@@ -40,9 +41,7 @@ float boxEntry(vec3 low, vec3 high, BoxRay ray, float limit) {
 uint packSubtree(Subtree tree) { return tree.reference | (tree.count << 27); }
 Subtree unpackSubtree(uint word) { return Subtree(word & 0x07ffffffu, word >> 27); }
 
-// State of the invocation's current traversal. The builder bounds the depth of the BVH, and kStackSize is that bound.
-uint stack[kStackSize];
-uint stackTop;
+// State of the invocation's current traversal, besides its stack.
 Subtree current;
 bool finished;
 uint unfinished;  // 1 until the traversal ends: docs/driver-workarounds.md section 4
@@ -59,7 +58,7 @@ void popSubtree() {
   finished = stackTop == 0u;
   unfinished = finished ? 0u : 1u;
   stackTop -= finished ? 0u : 1u;
-  Subtree next = unpackSubtree(stack[stackTop]);
+  Subtree next = unpackSubtree(stackWord(stackTop));
   if (!finished) current = next;
 }
 
@@ -78,7 +77,7 @@ void visitNode(BoxRay ray, float limit) {
   if (max(left, right) < kNoHit) {
     Subtree later = rightTree;
     if (!leftFirst) later = leftTree;
-    stack[stackTop] = packSubtree(later);
+    setStackWord(stackTop, packSubtree(later));
     ++stackTop;
   }
   if (min(left, right) < kNoHit) {

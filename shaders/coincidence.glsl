@@ -81,12 +81,17 @@ uvec4[3] rowsOfStart(Ray ray) {
 }
 
 // Returns the ray with what the rules need to know about its origin primitive.
-Ray withStart(Ray ray) {
-  if (!kHasCoincident || (ray.originSlot & kOriginCoincident) == 0u) return ray;
+Ray startedRay(Ray ray) {
   ray.start.rows = rowsOfStart(ray);
   ray.start.surface = flatSurfaceOf(ray.start.rows, ray.origin);
   if (kTrianglesCoincide) ray.start.shear = shearAlong(ray.start.surface.normal);
   return ray;
+}
+
+// Lanes of a processor read the origin primitive once for each ray. GPUs read it when a rule needs it.
+Ray withStart(Ray ray) {
+  if (!kMasksLanes || !kHasCoincident || (ray.originSlot & kOriginCoincident) == 0u) return ray;
+  return startedRay(ray);
 }
 
 bool isFlat(uint kind) { return !isKind(kind, kKindSphere) && !isKind(kind, kKindCone); }

@@ -6,6 +6,7 @@
 #include "scene_access.glsl"
 
 layout(local_size_x_id = kSpecWorkgroupX, local_size_y_id = kSpecWorkgroupY, local_size_z = 1) in;
+#define CANDELA_SHARES_STACK
 layout(push_constant) uniform Dispatch { DispatchConstants pushed; };
 DispatchConstants dispatch = pushed;  // docs/driver-workarounds.md section 1
 layout(set = 0, binding = kBindingFilm, std430) buffer Film { FilmRows film[]; };

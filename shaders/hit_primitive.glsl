@@ -36,6 +36,7 @@ float distanceToRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   vec4 row2 = uintBitsToFloat(rows[2]);
   bool startsHere = startsOn(ray, slot);
   bool ruled = kHasCoincident && known != kApartPrimitive && followsRules(ray, rows, startsHere);
+  if (!kMasksLanes && ruled) ray = startedRay(ray);
   bool mayBePlane = known != kFinitePrimitive && known != kSphere;
   if (kHasPlanes && mayBePlane && (known == kInfinitePlane || isKind(kind, kKindPlane))) {
     if (startsHere) return kNoHit;

@@ -5,15 +5,12 @@
 #ifndef CANDELA_INSTANCES_GLSL
 #define CANDELA_INSTANCES_GLSL
 
-// The instance that is traversed, and what the outer BVH continues with.
+// The instance that is traversed. Lanes of a processor have its placement and what the outer BVH continues with in
+// variables. GPUs read the placement for each test, and have the rest on the stack.
 struct Visit {
   uint instance;
   Placement placement;
-  Ray ray;  // without its origin primitive, unless that is of this instance
-  uint pendingNodes;
-  uint leafHits;
-  uint leafMask;
-  uint firstPrimitive;
+  uvec4 outer;  // pendingNodes, leafHits, leafMask, firstPrimitive
 };
 
 WideRay rayInMesh(Ray ray, uint instance) {
@@ -27,16 +24,29 @@ WideRay rayInMesh(Ray ray, uint instance) {
   return wideRay(origin, direction, paddingOf(origin) + padding.x + padding.y * largest(abs(ray.origin)));
 }
 
+void pushOuter(uvec4 outer) {
+  setStackWord(stackTop, outer.x);
+  setStackWord(stackTop + 1u, outer.y);
+  setStackWord(stackTop + 2u, outer.z);
+  setStackWord(stackTop + 3u, outer.w);
+  stackTop += 4u;
+}
+
+uvec4 popOuter() {
+  stackTop -= 4u;
+  return uvec4(stackWord(stackTop), stackWord(stackTop + 1u), stackWord(stackTop + 2u), stackWord(stackTop + 3u));
+}
+
 // Starts at the root of an instance. `number` counts the leaves of the outer BVH.
 void enterInstance(inout Visit visit, inout WideRay wide, Ray ray, uint number) {
-  visit.pendingNodes = pendingNodes;
-  visit.leafHits = leafHits;
-  visit.leafMask = leafMask;
-  visit.firstPrimitive = firstPrimitive;
+  uvec4 outer = uvec4(pendingNodes, leafHits, leafMask, firstPrimitive);
   visit.instance = number + 1u;
-  visit.placement = loadPlacement(visit.instance);
-  visit.ray = ray;
-  if (ray.originInstance != visit.instance) visit.ray.originSlot |= kNoSlot;
+  if (kMasksLanes) {
+    visit.placement = loadPlacement(visit.instance);
+    visit.outer = outer;
+  } else {
+    pushOuter(outer);
+  }
   wide = rayInMesh(ray, visit.instance);
   insideInstance = true;
   stackFloor = stackTop;
@@ -46,15 +56,27 @@ void enterInstance(inout Visit visit, inout WideRay wide, Ray ray, uint number) 
 }
 
 void leaveInstance(Visit visit, inout WideRay wide, Ray ray) {
-  wide = wideRay(ray);
+  wide = wideRay(sameRay(ray));
   insideInstance = false;
   stackFloor = 0u;
-  pendingNodes = visit.pendingNodes;
-  leafHits = visit.leafHits;
-  leafMask = visit.leafMask;
-  firstPrimitive = visit.firstPrimitive;
+  uvec4 outer = kMasksLanes ? visit.outer : popOuter();
+  pendingNodes = outer.x;
+  leafHits = outer.y;
+  leafMask = outer.z;
+  firstPrimitive = outer.w;
   nonePending = !anyPending(pendingNodes);
   noteWideEnd();
+}
+
+// Returns the ray without its origin primitive, unless that is of this instance.
+Ray rayInInstance(Ray ray, Visit visit) {
+  if (ray.originInstance != visit.instance) ray.originSlot |= kNoSlot;
+  return ray;
+}
+
+uvec4[3] rowsInInstance(uint slot, Visit visit) {
+  if (kMasksLanes) return placedRows(visit.placement, rowsOfSlot(slot));
+  return placedRows(loadPlacement(visit.instance), rowsOfSlot(slot));
 }
 
 void startOuterTraversal(WideRay wide) {
@@ -71,8 +93,9 @@ void closestInInstances(inout Hit hit, Ray ray, inout Work work) {
     if (insideInstance) {
       while (leafHits != 0u) {
         uint slot = takeLeafHit();
-        uvec4 rows[3] = placedRows(visit.placement, rowsOfSlot(slot));
-        keepCloser(hit, comparedHit(visit.ray, slot, rows, rows[2].w, kFinitePrimitive), slot, visit.instance);
+        uvec4 rows[3] = rowsInInstance(slot, visit);
+        PrimitiveHit found = comparedHit(rayInInstance(ray, visit), slot, rows, rows[2].w, kFinitePrimitive);
+        keepCloser(hit, found, slot, visit.instance);
         work.steps += 1u;
         if (kMasksLanes && leafHits == 0u) break;
       }
@@ -95,8 +118,8 @@ bool anyInInstances(Ray ray, RayEnd end, inout Work work) {
     if (insideInstance) {
       while (leafHits != 0u && !blocked) {
         uint slot = takeLeafHit();
-        uvec4 rows[3] = placedRows(visit.placement, rowsOfSlot(slot));
-        blocked = rowsHide(visit.ray, slot, rows, rows[2].w, end, kFinitePrimitive);
+        uvec4 rows[3] = rowsInInstance(slot, visit);
+        blocked = rowsHide(rayInInstance(ray, visit), slot, rows, rows[2].w, end, kFinitePrimitive);
         work.steps += 1u;
         if (kMasksLanes && (leafHits == 0u || blocked)) break;
       }

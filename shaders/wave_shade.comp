@@ -28,7 +28,7 @@ void main() {
   PathState state = waves[pixelIndex].path;
   uvec3 found = hitOf(waves[pixelIndex]);
   Path path = unpackPath(state);
-  RayCounts counts = RayCounts(state.counts.bounceRays, state.counts.shadowRays, state.counts.vertices);
+  RayCounts counts = RayCounts(0u, 0u, 0u);
   Work work = Work(0u, 0u);
   uint depth = path.depth;
   bool changesLayers = kLayerSums != 0u && (depth <= 2u || kThroughSpecular);
@@ -39,8 +39,10 @@ void main() {
   Hit hit = Hit(uintBitsToFloat(found.x), found.y, found.z, kHasInstances ? state.instances.y : 0u, false);
   bool continues = shadeHit(path, hit, key, work, counts, decisions, shadow);
   if (changesLayers) storeLayers(pixelIndex);
-  waves[pixelIndex].path = packPath(path, sampleIndexOf(state),
-                                    PathCounts(counts.bounce, counts.shadow, counts.vertices, state.counts.steps));
+  PathCounts sums = waves[pixelIndex].path.counts;
+  sums = PathCounts(sums.bounceRays + counts.bounce, sums.shadowRays + counts.shadow, sums.vertices + counts.vertices,
+                    sums.steps);
+  waves[pixelIndex].path = packPath(path, sampleIndexOf(state), sums);
   if (kLimitsLoops && work.truncated > 0u) atomicAdd(counters.truncated, work.truncated);
   if (kHasVolumes && volumeFaults > 0u) atomicAdd(counters.volumeFaults, volumeFaults);
   if (kRecordPaths || kHasTransparency || kCountsHits) {

@@ -3,30 +3,36 @@
 #extension GL_GOOGLE_include_directive : require
 #include "wavefront.glsl"
 
-ShadowRay loadShadowRay(uint pixelIndex) {
-  uvec4 origin = waves[pixelIndex].shadowLimit;
+Ray loadShadowRay(uint pixelIndex) {
   uvec4 direction = waves[pixelIndex].shadowDirection;
-  uvec4 light = waves[pixelIndex].shadowLight;
-  Ray ray = makeRay(uintBitsToFloat(origin.xyz), uintBitsToFloat(direction.xyz), direction.w);
+  Ray ray = makeRay(uintBitsToFloat(waves[pixelIndex].shadowLimit.xyz), uintBitsToFloat(direction.xyz), direction.w);
   if (kHasInstances) ray.originInstance = waves[pixelIndex].path.instances.z;
+  if (kHasTransparency) {
+    SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(waves[pixelIndex].path));
+    ray.opacityKey = opacityKey(key, shadedDepthOf(waves[pixelIndex]), true);
+  }
+  return ray;
+}
+
+RayEnd loadEnd(uint pixelIndex) {
   vec3 point = kNoPoint;
   if (kHasTouched) point = uintBitsToFloat(lightPointOf(waves[pixelIndex]));
-  return ShadowRay(true, ray, RayEnd(uintBitsToFloat(origin.w), light.w, point), uintBitsToFloat(light.xyz));
+  return RayEnd(uintBitsToFloat(waves[pixelIndex].shadowLimit.w), waves[pixelIndex].shadowLight.w, point);
 }
 
 void main() {
   uint pixelIndex;
   if (!takePixel(kQueueShadow, gl_WorkGroupID.xy, gl_LocalInvocationIndex, pixelIndex)) return;
-  vec3 radiance = uintBitsToFloat(radianceBitsOf(waves[pixelIndex].path));
-  ShadowRay shadow = loadShadowRay(pixelIndex);
-  if (kHasTransparency) {
-    SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(waves[pixelIndex].path));
-    shadow.ray.opacityKey = opacityKey(key, shadedDepthOf(waves[pixelIndex]), true);
-  }
   Work work = Work(0u, 0u);
-  uint outcome = traceShadow(shadow, radiance, work);
-  radianceBitsOf(waves[pixelIndex].path) = floatBitsToUint(radiance);
+  bool blocked = traceAny(loadShadowRay(pixelIndex), loadEnd(pixelIndex), work);
+  if (!blocked) {
+    vec3 radiance = uintBitsToFloat(radianceBitsOf(waves[pixelIndex].path));
+    radiance += uintBitsToFloat(waves[pixelIndex].shadowLight.xyz);
+    radianceBitsOf(waves[pixelIndex].path) = floatBitsToUint(radiance);
+  }
   addSteps(pixelIndex, work);
+  if (!kRecordPaths) return;
   uint depth = shadedDepthOf(waves[pixelIndex]);
-  if (kRecordPaths && depth <= kRecordedVertices) words[recordWord(pixelIndex, depth) + 1u] |= outcome << 8;
+  uint outcome = blocked ? kShadowOccluded : kShadowVisible;
+  if (depth <= kRecordedVertices) words[recordWord(pixelIndex, depth) + 1u] |= outcome << 8;
 }

@@ -139,7 +139,6 @@ void visitWideNode(WideRay ray, float limit) {
   left = pendingNodes & (pendingNodes - 1u);
 
   uvec4 head = sceneRow(row);
-  uvec4 links = sceneRow(row + 1u);
   uvec4 lowXy = sceneRow(row + 2u);
   uvec4 lowZHighX = sceneRow(row + 3u);
   uvec4 highYz = sceneRow(row + 4u);
@@ -156,6 +155,7 @@ void visitWideNode(WideRay ray, float limit) {
               (hitFour(mix(low1, high1, backward), mix(high1, low1, backward), at, limit) << 4);
 
   uint inner = head.w >> 24;
+  uvec4 links = sceneRow(row + 1u);
   leafMask = links.z;
   firstPrimitive = links.y;
   leafHits = tripled(hits & ~inner) & leafMask;
@@ -184,10 +184,10 @@ void nextOfKept() {
 void nextOfStack() {
   bool deeper = anyPending(pendingNodes) && anyPending(left);
   bool back = !anyPending(pendingNodes) && !anyPending(left) && stackTop > (kHasInstances ? stackFloor : 0u);
-  if (deeper) stack[stackTop] = left;
+  if (deeper) setStackWord(stackTop, left);
   stackTop += deeper ? 1u : 0u;
   stackTop -= back ? 1u : 0u;
-  uint top = stack[back ? stackTop : 0u];
+  uint top = stackWord(back ? stackTop : 0u);
   pendingNodes = anyPending(pendingNodes) ? pendingNodes : back ? top : left;
 }
 
@@ -233,8 +233,18 @@ void closestInWideHierarchy(inout Hit hit, Ray ray, inout Work work) {
   work.truncated += wideUnfinished;
 }
 
+// Returns the ray, which compilers cannot know: in scenes with instances, GPUs compute the WideRay of the outer BVH again
+// rather than keep it in registers while they are inside an instance. A stack has less than 2^31 entries.
+Ray sameRay(Ray ray) {
+  if (kMasksLanes || !kHasInstances) return ray;
+  uvec3 zero = uvec3(stackTop >> 31);
+  ray.origin = uintBitsToFloat(floatBitsToUint(ray.origin) | zero);
+  ray.direction = uintBitsToFloat(floatBitsToUint(ray.direction) | zero);
+  return ray;
+}
+
 bool anyInWideHierarchy(Ray ray, RayEnd end, inout Work work) {
-  WideRay wide = wideRay(ray);
+  WideRay wide = wideRay(sameRay(ray));
   bool blocked = false;
   startWideTraversal(wide);
   while ((!nonePending || leafHits != 0u) && !blocked) {

@@ -43,6 +43,10 @@ struct WideBvh {
   std::uint32_t nodeCount = 0;  ///< number of nodes without gaps
 };
 
+/// Returns the maximum number of words on the stack of a traversal: a node on the way down leaves one for its siblings,
+/// apart from the root, which has none, and the deepest node, below which there is no way.
+constexpr std::uint32_t stackWordsOf(const WideBvh& bvh) { return bvh.depth > 1 ? bvh.depth - 1 : 0; }
+
 /// Collapses a valid binary BVH whose leaves have at most kMaxWideLeaf primitives, into the nodes that WideFamilies
 /// chooses. Throws InternalError if a leaf is larger, or if there would be more than kMaxWideNodes nodes.
 WideBvh collapse(const Bvh& bvh);

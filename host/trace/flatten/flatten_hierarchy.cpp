@@ -73,7 +73,7 @@ std::vector<std::uint32_t> appendTwoWide(const accel::Bvh& bvh, const accel::Bvh
 std::vector<std::uint32_t> appendWide(const accel::Bvh& bvh, FlatScene& flat) {
   accel::WideBvh wide = collapse(bvh);
   flat.shape.structure = gpu::kStructureWideBvh;
-  flat.shape.stackSize = std::max(1u, wide.depth);
+  flat.shape.stackSize = std::max(1u, stackWordsOf(wide));
   flat.structureQuality["depth"] = wide.depth;
   flat.structureQuality["nodes"] = wide.nodeCount;
   appendWideNodes(wide, flat.rows);

@@ -155,7 +155,7 @@ InstanceSlots appendInstanceHierarchies(const scene::Scene& scene, const Instanc
   InstanceSlots slots;
   std::vector<accel::Aabb> boxes;
   std::vector<InstanceUse> uses;
-  std::uint32_t innerDepth = 0;
+  std::uint32_t innerWords = 0;
   for (std::uint32_t p = 0; p < plan.prototypes.size(); ++p) {
     const Prototype& prototype = plan.prototypes[p];
     const scene::PrimitiveRun& first = runsOf(scene)[prototype.uses.front()];
@@ -163,7 +163,7 @@ InstanceSlots appendInstanceHierarchies(const scene::Scene& scene, const Instanc
     accel::WideBvh wide = collapse(space.bvh);
     slots.roots.push_back(appendNodes(wide, slotCount, flat));
     slotCount += prototype.triangleCount;
-    innerDepth = std::max(innerDepth, wide.depth);
+    innerWords = std::max(innerWords, stackWordsOf(wide));
     for (std::uint32_t& i : wide.primitiveIndices) i += first.first;
     slots.orders.push_back(std::move(wide.primitiveIndices));
     for (const std::uint32_t use : prototype.uses) {
@@ -174,7 +174,7 @@ InstanceSlots appendInstanceHierarchies(const scene::Scene& scene, const Instanc
   accel::WideBvh outer = collapse(buildBvh(boxes, kOuterOptions));
   flat.constants.topNode = appendNodes(outer, 0, flat);
   for (const std::uint32_t i : outer.primitiveIndices) slots.uses.push_back(uses[i]);
-  flat.shape.stackSize = std::max(flat.shape.stackSize, outer.depth + innerDepth + 1);
+  flat.shape.stackSize = std::max(flat.shape.stackSize, stackWordsOf(outer) + innerWords);
   flat.structureQuality["instances"] = static_cast<double>(uses.size());
   flat.structureQuality["instanceTriangles"] = plan.triangleCount;
   return slots;
