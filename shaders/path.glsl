@@ -107,7 +107,7 @@ void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Sh
   bool transmitted = wi.z < 0.0;
   vec3 scattered;
   if (kHasNormalMaps) {
-    transmitted = shading.facets.exist ? dot(lit.wi, shading.facing) <= 0.0 : transmitted;
+    transmitted = shading.facets.exist ? facingCosine(shading, lit.wi) <= 0.0 : transmitted;
     scattered = facetScattering(material, shading.facets, shading.wo, wi, transmitted, pdf);
   } else {
     scattered = evaluateBsdf(material, shading.wo, wi, pdf) * abs(wi.z);

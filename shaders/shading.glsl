@@ -10,7 +10,7 @@
 // A vertex in the local frame of its shading normal.
 struct Shading {
   mat3 frame;
-  vec3 facing;  // geometric normal on wo's side
+  vec3 outward;  // geometric normal with the primitive's own orientation
   vec3 wo;      // local
   bool outside; // wo is on the side of the primitive's own normal
   Facets facets;
@@ -19,7 +19,7 @@ struct Shading {
 Shading shadingAt(Surface surface, vec3 wo) {
   Normals normals = normalsTowards(surface, wo);
   mat3 frame = kHasAnisotropy ? frameAlong(normals.shading, surface.anisotropyDirection) : frameAround(normals.shading);
-  Shading shading = Shading(frame, normals.geometric, wo * frame, normals.outside, kNoFacets);
+  Shading shading = Shading(frame, surface.outward, wo * frame, normals.outside, kNoFacets);
   if (kHasNormalMaps && surface.isMapped) {
     shading.facets = Facets(true, normals.geometric * frame);
     shading.wo = seenByFacet(shading.facets, shading.wo, surface.facet);
@@ -27,10 +27,16 @@ Shading shadingAt(Surface surface, vec3 wo) {
   return shading;
 }
 
+// Returns the cosine of a direction to the geometric normal on wo's side.
+float facingCosine(Shading shading, vec3 direction) {
+  float cosine = dot(direction, shading.outward);
+  return shading.outside ? cosine : -cosine;
+}
+
 // Returns whether the geometric normal classifies a direction as the shading normal does, as reflected or as
 // transmitted.
 bool keepsSide(Shading shading, vec3 direction, bool transmitted) {
-  return (dot(direction, shading.facing) > 0.0) != transmitted;
+  return (facingCosine(shading, direction) > 0.0) != transmitted;
 }
 
 // Applies the normal map of a material or of its coat to the shading normal. If the material has a coat, one layer is

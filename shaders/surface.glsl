@@ -104,13 +104,15 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
 
 vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
   vec3 h = unit(wo + wi);
+  float cosOH = min(dot(wo, h), 1.0);
+  vec3 metal = vec3(0.0);  // before the rest, because it needs many registers
+  if (kHasConductors && largest(lobes.conductor) > 0.0) {
+    metal = lobes.conductor * conductorReflectance(cosOH, lobes.eta, lobes.kappa);
+  }
   float d = ggxDistribution(h, lobes.alpha);
   float lengthO = stretchedLength(wo, lobes.alpha);
-  float cosOH = min(dot(wo, h), 1.0);
   vec3 reflectance = lobes.specular + lobes.grazing * fifthPower(1.0 - cosOH);
-  if (kHasConductors && largest(lobes.conductor) > 0.0) {
-    reflectance += lobes.conductor * conductorReflectance(cosOH, lobes.eta, lobes.kappa);
-  }
+  if (kHasConductors) reflectance += metal;
   float probability = lobes.specularProbability;
   if (kHasTransmission) {
     float schlick = schlickOf(lobes.glass, cosOH);
