@@ -21,10 +21,10 @@ render::SceneLoads fastestLoads(vulkan::Device& device) {
 }
 
 flatten::SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info) {
-  // SwiftShader compiles every copy of an unrolled test, which took it minutes for eight spheres.
-  if (info.driver.starts_with("SwiftShader")) return {.maxCost = 0};
-  if (info.driver.starts_with("llvmpipe")) return {.maxCost = 128, .rowsAhead = true};
-  return {};
+  if (!info.isSoftware()) return {};
+  constexpr std::uint32_t kWide = 8;  // the vectors of AVX2
+  if (info.subgroupSize >= kWide) return {.maxCost = 128, .rowsAhead = true};
+  return {.maxCost = 0};
 }
 
 }  // namespace candela::device

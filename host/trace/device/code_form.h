@@ -28,7 +28,9 @@ render::SceneLoads fastestLoads(vulkan::Device& device);
 /// docs/driver-workarounds.md section 9.
 render::SceneLoads fasterLoads(const vulkan::LoadTimes& times);
 
-/// Returns the rule as measured on lavapipe; for other devices, the cost of sixteen triangles.
+/// Returns the rule for a device: on processors with wide vectors, one load serves all lanes, and lists are long; on
+/// those with vectors of four lanes, there are none, because the drivers in question compile every copy of an unrolled
+/// test (SwiftShader takes minutes for eight spheres); elsewhere, lists cost what sixteen triangles do.
 flatten::SmallSceneRule smallSceneRule(const vulkan::DeviceInfo& info);
 
 }  // namespace candela::device

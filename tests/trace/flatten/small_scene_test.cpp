@@ -23,9 +23,10 @@ constexpr const char* kSphere = "s 0 0 0 1\n";
 constexpr const char* kCone = "c 0 0 0 1 0 0 1 0\n";
 constexpr const char* kTriangle = "p 3\n0 0 0\n1 0 0\n0 1 0\n";
 
-vulkan::DeviceInfo deviceWith(const char* driver) {
+vulkan::DeviceInfo deviceWith(const char* type, std::uint32_t subgroupSize) {
   vulkan::DeviceInfo info;
-  info.driver = driver;
+  info.type = type;
+  info.subgroupSize = subgroupSize;
   return info;
 }
 
@@ -72,13 +73,18 @@ TEST_CASE("a small scene has at most four surfaces that coincide, which come las
   }
 }
 
-TEST_CASE("lavapipe traces larger scenes as a linear list than other devices, and reads them ahead") {
-  const flatten::SmallSceneRule lavapipe = smallSceneRule(deviceWith("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)"));
-  const flatten::SmallSceneRule other = smallSceneRule(deviceWith("SwiftShader driver 5.0.0"));
-  CHECK(isSmall(scattered(kTriangle, 40), {}, lavapipe));
-  CHECK(!isSmall(scattered(kTriangle, 40), {}, other));
-  CHECK(lavapipe.rowsAhead);
-  CHECK(!other.rowsAhead);
+TEST_CASE(
+    "processors with wide vectors have longer lists than GPUs, and read them ahead; those with others have none") {
+  const flatten::SmallSceneRule wide = smallSceneRule(deviceWith("CPU", 8));
+  const flatten::SmallSceneRule narrow = smallSceneRule(deviceWith("CPU", 4));
+  const flatten::SmallSceneRule gpu = smallSceneRule(deviceWith("discrete GPU", 32));
+  CHECK(isSmall(scattered(kTriangle, 40), {}, wide));
+  CHECK(!isSmall(scattered(kTriangle, 1), {}, narrow));
+  CHECK(isSmall(scattered(kTriangle, 16), {}, gpu));
+  CHECK(!isSmall(scattered(kTriangle, 17), {}, gpu));
+  CHECK(wide.rowsAhead);
+  CHECK(!narrow.rowsAhead);
+  CHECK(!gpu.rowsAhead);
 }
 
 TEST_CASE("a small scene has its records in the uniform buffer too, unless a structure is requested") {
