@@ -68,9 +68,9 @@ void leaveInstance(Visit visit, inout WideRay wide, Ray ray) {
   noteWideEnd();
 }
 
-// Returns the ray without its origin primitive, unless that is of this instance.
-Ray rayInInstance(Ray ray, Visit visit) {
-  if (ray.originInstance != visit.instance) ray.originSlot |= kNoSlot;
+// Returns the ray without its origin primitive, unless that is of this instance: instances of a mesh share slots.
+Ray rayInInstance(Ray ray, uint instance) {
+  if (ray.originInstance != instance) ray.originSlot |= kNoSlot;
   return ray;
 }
 
@@ -94,7 +94,7 @@ void closestInInstances(inout Hit hit, Ray ray, inout Work work) {
       while (leafHits != 0u) {
         uint slot = takeLeafHit();
         uvec4 rows[3] = rowsInInstance(slot, visit);
-        PrimitiveHit found = comparedHit(rayInInstance(ray, visit), slot, rows, rows[2].w, kFinitePrimitive);
+        PrimitiveHit found = comparedHit(rayInInstance(ray, visit.instance), slot, rows, rows[2].w, kFinitePrimitive);
         keepCloser(hit, found, slot, visit.instance);
         work.steps += 1u;
         if (kMasksLanes && leafHits == 0u) break;
@@ -119,7 +119,7 @@ bool anyInInstances(Ray ray, RayEnd end, inout Work work) {
       while (leafHits != 0u && !blocked) {
         uint slot = takeLeafHit();
         uvec4 rows[3] = rowsInInstance(slot, visit);
-        blocked = rowsHide(rayInInstance(ray, visit), slot, rows, rows[2].w, end, kFinitePrimitive);
+        blocked = rowsHide(rayInInstance(ray, visit.instance), slot, rows, rows[2].w, end, kFinitePrimitive);
         work.steps += 1u;
         if (kMasksLanes && (leafHits == 0u || blocked)) break;
       }

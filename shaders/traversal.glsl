@@ -117,6 +117,7 @@ Hit traceClosest(Ray ray, inout Work work) {
   if (kHasInstances) closestInInstances(hit, ray, work);
   if (kHasOrdered && hit.t < kNoHit && hit.ordered) {
     uvec4 rows[3] = placedRowsOf(hit.slot, hit.instance);
+    if (kHasInstances && hit.instance != 0u) ray = rayInInstance(ray, hit.instance);
     hit.t = distanceToRows(ray, hit.slot, rows, rows[2].w, kAnyPrimitive);
   }
   return hit;

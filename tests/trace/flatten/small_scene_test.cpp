@@ -74,7 +74,7 @@ TEST_CASE("a small scene has at most four surfaces that coincide, which come las
 }
 
 TEST_CASE(
-    "processors with wide vectors have longer lists than GPUs, and read them ahead; those with others have none") {
+    "processors with wide vectors have longer lists than GPUs, and read them ahead, and other processors have none") {
   const flatten::SmallSceneRule wide = smallSceneRule(deviceWith("CPU", 8));
   const flatten::SmallSceneRule narrow = smallSceneRule(deviceWith("CPU", 4));
   const flatten::SmallSceneRule gpu = smallSceneRule(deviceWith("discrete GPU", 32));
