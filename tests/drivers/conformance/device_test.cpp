@@ -72,8 +72,11 @@ TEST_CASE("conformance --compile-only creates all pipelines and runs nothing") {
     const json report = json::parse(result.out);
     CHECK(report["compileOnly"] == true);
     for (const json& one : report["cases"]) {
-      const bool isSkipped = one["name"] == "memory.command.copy" || contains(one["name"], "subgroup");
-      if (!isSkipped) CHECK(one["result"] == "Pass");
+      // One has no shader; SwiftShader lacks subgroups of other sizes, and workgroups of more than 256 invocations.
+      const bool maySkip = one["name"] == "memory.command.copy" || one["name"] == "group.size.256x2x1" ||
+                           contains(one["name"], "subgroup");
+      CAPTURE(one["name"]);
+      CHECK((one["result"] == "Pass" || (maySkip && one["result"] == "Skip")));
     }
   }
   CHECK(runCases("variants.module.*.control.stack.*", {"--compile-only", "--variants"}).exitCode == 0);
