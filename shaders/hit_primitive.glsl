@@ -13,13 +13,15 @@ struct Hit {
   uint slot;
   uint index;  // primitive index; at equal distances ordered ones come last, then the higher indices
   uint instance;  // number of the instance, or 0
-  bool ordered;    // kFlagOrdered; undefined without kHasOrdered
+  bool ordered;    // kFlagOrdered; undefined without kHasOrdered, as the next member
+  float distance;  // of the hit itself
 };
 
 struct PrimitiveHit {
   float t;
   uint index;  // primitive index in the scene
   bool ordered;
+  float distance;  // before the order in a plane changes t
 };
 
 // Callers state what they know of the primitive, so that less code is compiled.
@@ -92,7 +94,7 @@ PrimitiveHit hitRows(Ray ray, uint slot, uvec4 rows[3], uint kind, uint known) {
   float t = distanceToRows(ray, slot, rows, kind, known);
   if (isDroppedBack(ray, rows, kind)) t = kNoHit;
   if (kHasTransparency && t < kNoHit && (kind & kFlagTransparent) != 0u && !isThere(ray, slot, rows, t)) t = kNoHit;
-  return PrimitiveHit(t, indexOf(rows), kHasOrdered && (rows[2].w & kFlagOrdered) != 0u);
+  return PrimitiveHit(t, indexOf(rows), kHasOrdered && (rows[2].w & kFlagOrdered) != 0u, t);
 }
 
 // Returns the hit as it is compared with others.

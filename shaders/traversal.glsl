@@ -22,6 +22,7 @@ void keepCloser(inout Hit hit, PrimitiveHit candidate, uint slot, uint instance)
   hit.index = better ? candidate.index : hit.index;
   if (kHasInstances) hit.instance = better ? instance : hit.instance;
   if (kHasOrdered) hit.ordered = better ? candidate.ordered : hit.ordered;
+  if (kHasOrdered) hit.distance = better ? candidate.distance : hit.distance;
 }
 
 // Returns 0, because no component of a direction reaches 2. Compilers cannot know this: docs/driver-workarounds.md
@@ -107,7 +108,7 @@ vec3 inverseDirection(vec3 direction) {
 
 Hit traceClosest(Ray ray, inout Work work) {
   ray = withStart(ray);
-  Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu, 0u, true);
+  Hit hit = Hit(kNoHit, kNoSlot, 0xffffffffu, 0u, true, kNoHit);
   if (kUniformSlots > 0u) closestOfUniform(hit, ray, work);
   else if (kStructure == kStructureBvh) closestInHierarchy(hit, ray, work);
   else if (kStructure == kStructureWideBvh) closestInWideHierarchy(hit, ray, work);
@@ -115,11 +116,7 @@ Hit traceClosest(Ray ray, inout Work work) {
   else closestInRange(hit, ray, 0u, constants.firstPlaneSlot, kFinitePrimitive, work);
   if (kLoopsOverPlanes) closestInRange(hit, ray, constants.firstPlaneSlot, constants.slotCount, kInfinitePlane, work);
   if (kHasInstances) closestInInstances(hit, ray, work);
-  if (kHasOrdered && hit.t < kNoHit && hit.ordered) {
-    uvec4 rows[3] = placedRowsOf(hit.slot, hit.instance);
-    if (kHasInstances && hit.instance != 0u) ray = rayInInstance(ray, hit.instance);
-    hit.t = distanceToRows(ray, hit.slot, rows, rows[2].w, kAnyPrimitive);
-  }
+  if (kHasOrdered) hit.t = hit.distance;
   return hit;
 }
 

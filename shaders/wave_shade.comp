@@ -36,7 +36,8 @@ void main() {
   SampleKey key = sampleKeyOf(pixelAt(pixelIndex), sampleIndexOf(state));
   Decisions decisions;
   ShadowRay shadow;
-  Hit hit = Hit(uintBitsToFloat(found.x), found.y, found.z, kHasInstances ? state.instances.y : 0u, false);
+  float t = uintBitsToFloat(found.x);
+  Hit hit = Hit(t, found.y, found.z, kHasInstances ? state.instances.y : 0u, false, t);
   bool continues = shadeHit(path, hit, key, work, counts, decisions, shadow);
   if (changesLayers) storeLayers(pixelIndex);
   PathCounts sums = waves[pixelIndex].path.counts;
