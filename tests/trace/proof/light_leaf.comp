@@ -36,7 +36,7 @@ vec4 found(Surface from, uint slot, vec3 direction) {
   Ray ray = rayFrom(from, direction, false);
   float t = hitPrimitive(ray, slot, kAnyPrimitive).t;
   if (t >= kNoHit) return vec4(0.0);
-  return vec4(t, lightPdf(ray, surfaceAt(ray, Hit(t, slot, 0u, 0u, false)), t), 0.0, 0.0);
+  return vec4(t, lightPdf(ray, surfaceAt(ray, Hit(t, slot, 0u, 0u, false, t)), t), 0.0, 0.0);
 }
 
 void main() {
