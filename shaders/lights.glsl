@@ -5,6 +5,7 @@
 #ifndef CANDELA_LIGHTS_GLSL
 #define CANDELA_LIGHTS_GLSL
 #include "coat.glsl"
+#include "light_tree.glsl"
 #include "occlusion.glsl"
 #include "primitives.glsl"
 #include "sampling.glsl"
@@ -133,10 +134,31 @@ float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {
   return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
 }
 
-// Returns the pdf with which sampleLight would have sampled, from the ray's origin, the point of an emitter that the
-// ray hit at distance t. The emitter is an entry of the light table.
-float lightPdf(Ray ray, Surface emitter, float t) {
+// Chooses a light for a vertex at this depth by a 24-bit number, and by the numbers of the light tree if there is one.
+LightChoice chooseLight(LightReceiver receiver, uint k, SampleKey key, uint depth, inout uint truncated) {
+  if (kHasLightTree && k < sceneRow(constants.firstLightTreeRow).x) {
+    return walkLightTree(receiver, false, 0u, key, depth, truncated);
+  }
+  uint entry = entryChosenBy(k, truncated);
+  return LightChoice(entry, loadLight(entry).probability);
+}
+
+// Returns an emitter that a ray from this receiver hit, with the probability with which it would have been chosen there.
+Light emitterFound(Surface emitter, LightReceiver receiver, inout uint truncated) {
   Light light = loadLight(emitter.light - 1u);
+  if (kHasLightTree) {
+    uint trail = floatBitsToUint(light.probability);
+    light.probability = 0.0;
+    if (trail != kNoTrail) {
+      light.probability = walkLightTree(receiver, true, trail, SampleKey(0u, 0u, 0u, 0u), 1u, truncated).probability;
+    }
+  }
+  return light;
+}
+
+// Returns the pdf with which sampleLight would have sampled, from the ray's origin, the point of an emitter that the
+// ray hit at distance t.
+float lightPdf(Light light, Ray ray, Surface emitter, float t) {
   if (kHasSphereLights && light.kind == kLightSphere) return sphereLightPdf(light, ray);
   return triangleLightPdf(light, ray, emitter, t);
 }

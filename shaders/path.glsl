@@ -20,6 +20,7 @@ struct Path {
   vec3 radiance;
   uint depth;       // of the ray, 1 for the camera ray; 0: the sample has not started
   uint volume;      // number of the volume that the ray is in; 0: none
+  uint receiver;    // word of the LightReceiver at which the ray starts, if the scene has a light tree
 };
 
 // Decisions of a segment, for comparison with another tracer.
@@ -45,16 +46,18 @@ void startPath(inout Path path, SampleKey key, uvec2 pixel) {
   path.radiance = vec3(0.0);
   path.depth = 1u;
   path.volume = 0u;
+  path.receiver = 0u;
 }
 
 // Returns the emission of a surface that BSDF sampling hit, weighted against light sampling (multiple importance
 // sampling).
-vec3 emissionFound(Path path, Surface surface, vec3 emission, float t) {
+vec3 emissionFound(Path path, Surface surface, vec3 emission, float t, inout Work work) {
   bool fromBehind = dot(surface.outward, path.ray.direction) >= 0.0;
   if (kOneSided && isKind(surface.kind, kKindTriangle) && fromBehind) return vec3(0.0);
   float weight = 1.0;
   if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
-    weight = powerHeuristic(path.pdf, lightPdf(path.ray, surface, t));
+    Light light = emitterFound(surface, LightReceiver(path.ray.origin, path.receiver), work.truncated);
+    weight = powerHeuristic(path.pdf, lightPdf(light, path.ray, surface, t));
   }
   noteEmission(emission, weight);
   return emission * weight;
@@ -95,12 +98,22 @@ LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKe
   return sampleLight(light, surface, toUnit(numbers).yz);
 }
 
+// Returns the word of the LightReceiver of a vertex.
+uint receiverWord(Shading shading, Material material) {
+  vec3 normal = shading.frame[2];
+  if (kHasNormalMaps && shading.facets.exist) normal = shading.outside ? shading.outward : -shading.outward;
+  return packDirection(normal) | (scattersTo(material, true) ? kReceiverTransmits : 0u);
+}
+
 // Stage of the specification, if some lobe is smooth: samples one entry of the light table, and prepares the ray that
 // finds whether it is visible. `numbers` are those of the light choice and the three that follow.
 void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading, Material material,
            uvec4 numbers, inout Work work) {
-  Light light = loadLight(chooseLight(numbers.x >> 8, work.truncated));
-  noteLightChoice(numbers.x >> 8);
+  LightReceiver receiver = LightReceiver(surface.position, path.receiver);
+  LightChoice choice = chooseLight(receiver, numbers.x >> 8, key, path.depth, work.truncated);
+  Light light = loadLight(choice.light);
+  if (kHasLightTree) light.probability = choice.probability;
+  noteLightChoice(choice.light);
   LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth, work);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
@@ -182,8 +195,8 @@ bool arrive(inout Path path, Hit hit, SampleKey key, inout RayCounts counts) {
 }
 
 // Stage of the specification: adds the emission of the surface.
-void emit(inout Path path, Surface surface, vec3 emission, float t) {
-  vec3 found = path.throughput * emissionFound(path, surface, emission, t);
+void emit(inout Path path, Surface surface, vec3 emission, float t, inout Work work) {
+  vec3 found = path.throughput * emissionFound(path, surface, emission, t, work);
   path.radiance += limitedContribution(found, path.depth - 1u);
 }
 
@@ -211,7 +224,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   if (kHasAnisotropy) alignAnisotropy(surface, material);
   if (kHasNormalMaps) mapLayer(surface, material, -path.ray.direction, key, path.depth);
   noteSurface(path.ray, surface, hit.t);
-  if (kHasEmission) emit(path, surface, material.emission, hit.t);
+  if (kHasEmission) emit(path, surface, material.emission, hit.t, work);
   if (kLayerSums != 0u || kListsHits && kThroughSpecular) noteLayers(path, surface, material, hit.t);
   if (path.depth >= constants.maxDepth) return false;
 
@@ -220,6 +233,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
     chooseChannel(material, path.throughput, channelNumber(key, path.depth));
   }
   prepareLobes(material, shading.wo, shading.outside);
+  if (kHasLightTree) path.receiver = receiverWord(shading, material);
   uvec4 choices = uvec4(0u);
   if (kHasLights || kHasMixtures) choices = sampleGroup(key, vertexGroup(path.depth, kDimensionLightChoice));
   if (kHasLights && hasSmoothLobe(material)) light(shadow, path, key, surface, shading, material, choices, work);

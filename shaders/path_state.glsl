@@ -23,6 +23,7 @@ Path unpackPath(PathState state) {
   path.pdf = uintBitsToFloat(state.originPdf.w);
   path.throughput = uintBitsToFloat(state.throughputDepth.xyz);
   path.depth = depthOf(state);
+  path.receiver = kHasLightTree ? state.instances.w : 0u;
   path.volume = state.throughputDepth.w >> kVolumeShift;
   path.radiance = uintBitsToFloat(radianceBitsOf(state));
   return path;
@@ -33,7 +34,7 @@ PathState packPath(Path path, uint sampleIndex, PathCounts counts) {
                    uvec4(floatBitsToUint(path.ray.direction), path.ray.originSlot),
                    uvec4(floatBitsToUint(path.throughput), path.depth | (kHasVolumes ? path.volume << kVolumeShift : 0u)),
                    uvec4(floatBitsToUint(path.radiance), sampleIndex), counts,
-                   uvec4(path.ray.originInstance, 0u, 0u, 0u));
+                   uvec4(path.ray.originInstance, 0u, 0u, kHasLightTree ? path.receiver : 0u));
 }
 
 // Packs decisions into the format of path records.

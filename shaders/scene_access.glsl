@@ -53,7 +53,7 @@ uint indexOf(uvec4 rows[3]) { return rows[1].w; }
 bool isKind(uint kind, uint wanted) { return kOnlyKind == wanted || (kind & kKindMask) == wanted; }
 
 struct Light {
-  float probability;
+  float probability;  // in a scene with a light tree, the trail of a light of the tree
   uint kind;
   uint slot;
   vec3 emission;  // radiance; of a point light: its colour; of a punctual light: its intensity
@@ -109,8 +109,8 @@ uint firstThresholdAbove(uint number, uint first, uint stride, uint component, u
   return low;
 }
 
-// Chooses a light by a 24-bit number.
-uint chooseLight(uint k, inout uint truncated) {
+// Returns the entry of the light table that a 24-bit number chooses.
+uint entryChosenBy(uint k, inout uint truncated) {
   return firstThresholdAbove(k, constants.firstLightRow, kLightRows, 0u, 0u, constants.lightCount - 1u, truncated);
 }
 

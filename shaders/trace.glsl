@@ -29,11 +29,9 @@ void noteEmission(vec3 emission, float weight) {
   traced.emissionWeight = vec4(emission * weight, weight);
 }
 
-// Notes the choice of a light by the 24-bit number k.
-void noteLightChoice(uint k) {
-  uint truncated = 0u;
+void noteLightChoice(uint entry) {
   noteStage(kTracedLight);
-  traced.lightEntry = uvec4(chooseLight(k, truncated), kRecordMiss, kShadowNotTraced, 0u);
+  traced.lightEntry = uvec4(entry, kRecordMiss, kShadowNotTraced, 0u);
 }
 
 void noteShadowRay(Light light, LightSample lit, float bsdfPdf, float weight, vec3 radiance) {
@@ -64,7 +62,7 @@ void noteRoulette(float survival) {
 #else
 #define noteSurface(ray, surface, t)
 #define noteEmission(emission, weight)
-#define noteLightChoice(k)
+#define noteLightChoice(entry)
 #define noteShadowRay(light, lit, bsdfPdf, weight, radiance)
 #define noteShadow(shadow)
 #define noteScattering(next, direction)

@@ -61,6 +61,7 @@ std::span<const FilmSetting> filmSettings() {
       FilmSetting{"integrator", [](const Job& job) -> std::string { return nameOf(imageOf(job).integrator); }},
       FilmSetting{"ao-distance", [](const Job& job) { return textOr(imageOf(job).aoDistance, "auto"); }},
       FilmSetting{"nee", [](const Job& job) { return onOff(imageOf(job).nextEventEstimation); }},
+      FilmSetting{"lights", [](const Job& job) -> std::string { return nameOf(imageOf(job).lights); }, "power"},
       FilmSetting{"sampler", [](const Job& job) -> std::string { return nameOf(imageOf(job).sampler); }},
       FilmSetting{"filter", [](const Job& job) -> std::string { return nameOf(imageOf(job).filter); }},
       FilmSetting{"lens", [](const Job& job) -> std::string { return nameOf(imageOf(job).lens); }},

@@ -49,6 +49,11 @@ CANDELA_DIMENSION kDimensionTexelX = 2u;
 CANDELA_DIMENSION kDimensionTexelY = 3u;
 CANDELA_DIMENSION kEnvironmentDimensionCount = 4u;
 
+// The numbers of the light tree of path vertex n start at kLightTreeDimensions + (n - 1) * kLightTreeDimensionCount,
+// one for each depth of the tree.
+CANDELA_DIMENSION kLightTreeDimensions = 1u << 30;
+CANDELA_DIMENSION kLightTreeDimensionCount = 32u;
+
 #undef CANDELA_DIMENSION
 #ifdef __cplusplus
 }  // namespace candela

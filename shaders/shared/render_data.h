@@ -60,7 +60,7 @@ struct RenderConstants {
   uint firstInstanceRow;
   uint topNode;  // the root of the BVH over instances
   uint firstAttributeRow;
-  uint unused0;
+  uint firstLightTreeRow;  // its header
 };
 
 // Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see
@@ -104,7 +104,7 @@ struct PathState {
   uvec4 radianceSample;    // rgb, sample index
   PathCounts counts;
   uvec4 instances;  // numbers of instances, or 0: of the ray's origin; in a WaveState, of the hit and of the shadow
-                    // ray's origin, too
+                    // ray's origin, too; then what Path::receiver is, or 0
 };
 
 // Length of a pixel's list of hits. The host reads the lists after this number of samples.

@@ -45,7 +45,7 @@ CANDELA_CONST uint kFlagTouched = 16u;       // the surface may contain a light:
 CANDELA_CONST uint kFlagOpaque = 32u;        // T = 0: --one-sided applies
 CANDELA_CONST uint kFlagTransparent = 128u;  // triangle that rays may pass
 // Flags from here on are not among those that specialise the tests of small scenes.
-CANDELA_CONST uint kFlagOrdered = 256u;      // its place in the order in a plane matters: docs/light-transport.md section 4
+CANDELA_CONST uint kFlagOrdered = 256u;  // its place in the order in a plane matters: docs/light-transport.md section 4
 CANDELA_CONST uint kFlagCoincident = 2048u;  // another surface may coincide with it: coincidence.glsl
 CANDELA_CONST uint kFlagTransmits = 4096u;   // rays may cross the surface
 CANDELA_CONST uint kFlagThinWalled = 8192u;  // it bounds no volume
@@ -143,6 +143,23 @@ CANDELA_CONST uint kLightRows = 3u;
 CANDELA_LIGHT_KINDS(CANDELA_DECLARE_KIND)
 #undef CANDELA_DECLARE_KIND
 CANDELA_CONST uint kNoSlot = 0x07ffffffu;
+
+// Light tree (docs/light-transport.md section 6.1), if the scene has one: a record (T, probability of the tree, number
+// n of leaves, 0); then n leaves, then n - 1 inner nodes, the first of which is the root. Nodes have two records:
+// (centre, radius) (power, axis and flags, cosine, next). Of a leaf, next is the index of its light; of an inner node,
+// the first leaf m of the right range and flags: the left node is leaf or inner node m - 1, the right one leaf or inner
+// node m. A light of the tree has its trail instead of its probability, and others have kNoTrail there if they are
+// emitters.
+CANDELA_CONST uint kLightTreeHeaderRows = 1u;
+CANDELA_CONST uint kLightNodeRows = 2u;
+CANDELA_CONST uint kDirectionBits = 15u;  // of each of the two coordinates of a stored direction
+CANDELA_CONST uint kDirectionMask = (1u << kDirectionBits) - 1u;
+CANDELA_CONST uint kLightNodeCosine = 1u << 30;    // some light of the node emits by the cosine at its surface
+CANDELA_CONST uint kLightNodeTwoSided = 1u << 31;  // some light of the node emits to both sides
+CANDELA_CONST uint kLightNodeLeftLeaf = 1u << 30;
+CANDELA_CONST uint kLightNodeRightLeaf = 1u << 31;
+CANDELA_CONST uint kLightNodeMask = (1u << 30) - 1u;
+CANDELA_CONST uint kNoTrail = 0xffffffffu;
 
 // Lights of the Whitted tracer, which are all point lights in file order, four records: (colour, 0) (position, 0) and
 // the edges of the square around the position that the light fills (edge, 0) (edge, 0).

@@ -57,6 +57,8 @@ std::vector<Option> imageOptions() {
            orAbsent(realNumber<float>("D", kMinReach, kMaxReach), "auto"), [](auto& a) -> auto& { return a.request.image.aoDistance; }),
     valued<TracingArguments>({"--nee", kGroup, "next-event estimation: sample the lights at every path vertex"},
            choice(kOnOff), [](auto& a) -> auto& { return a.request.image.nextEventEstimation; }),
+    valued<TracingArguments>({"--lights", kGroup, "how light sampling chooses a light: by its `power`, or by a `tree`, which prefers near ones that face the point; `auto`: by a tree if there are many"},
+           orAbsent(named<render::LightSelection>(), "auto"), [](auto& a) -> auto& { return a.request.lights; }),
     valued<TracingArguments>({"--sampler", kGroup, "how random numbers are generated"},
            named<render::SamplerKind>(), [](auto& a) -> auto& { return a.request.image.sampler; }),
     valued<TracingArguments>({"--filter", kGroup, "pixel filter"},

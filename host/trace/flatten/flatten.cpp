@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "host/base/errors.h"
@@ -126,8 +127,12 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
                          [&] { return appendInstanceHierarchies(scene, plan, settings, flat.shape.slotCount, flat); });
   }
 
-  const std::vector<LightEntry> table = whitted ? std::vector<LightEntry>{}
-                                                : buildLightTable(scene, settings.image.nextEventEstimation);
+  LightTable lights;
+  if (!whitted) lights = buildLightTable(scene, settings.image.nextEventEstimation, settings.image.lights);
+  std::optional<LightTree> tree;
+  if (lights.hasTree()) tree = buildLightTree(scene, lights.entries, settings.image.oneSided);
+  flat.shape.features.lightTree = lights.hasTree();
+  const std::span<const LightEntry> table = lights.entries;
   const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
                              coincidences.coincident, coincidences.ordered};
   noteLights(table, marks.touched, flat.shape.features);
@@ -145,6 +150,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
     flat.constants.stateRows = treeRows(flat.shape.features, settings.image.maxDepth);
   } else {
     appendLights(scene, table, order, flat);
+    if (tree) appendLightTree(*tree, lights.treeThreshold, flat);
   }
   flat.constants.firstTextureRow = rowCount(flat.rows);
   if (flat.shape.features.textures) {

@@ -9,8 +9,13 @@
 namespace candela::flatten {
 namespace {
 
+// The probability of an entry; of a light that a tree chooses, its trail.
+std::uint32_t probabilityWord(const LightEntry& entry) {
+  return entry.trail ? *entry.trail : floatBits(entry.probability);
+}
+
 void appendPointLight(const scene::PointLight& light, const LightEntry& entry, Rows& rows) {
-  rows.push_back({entry.threshold, floatBits(entry.probability), 0, gpu::kNoSlot});
+  rows.push_back({entry.threshold, probabilityWord(entry), 0, gpu::kNoSlot});
   rows.push_back(row(glm::dvec3(light.colour), gpu::kLightPoint));
   rows.push_back(row(glm::dvec3(light.position), 0.0));
 }
@@ -21,13 +26,13 @@ void appendPunctualLight(const scene::PunctualLight& light, const LightEntry& en
   const glm::dvec3 point = entry.kind == LightKind::directional ? -glm::dvec3(light.direction)
                                                                 : glm::dvec3(light.position);
   const std::uint32_t coneWord = isSpot ? floatBits(static_cast<double>(cone)) : 0;
-  rows.push_back({entry.threshold, floatBits(entry.probability), coneWord, gpu::kNoSlot});
+  rows.push_back({entry.threshold, probabilityWord(entry), coneWord, gpu::kNoSlot});
   rows.push_back(row(glm::dvec3(light.intensity), static_cast<std::uint32_t>(entry.kind)));
   rows.push_back(row(point, isSpot ? 1 / (double{light.versineOuter} - double{light.versineInner}) : 0.0));
 }
 
 void appendEnvironmentEntry(const LightEntry& entry, Rows& rows) {
-  rows.push_back({entry.threshold, floatBits(entry.probability), 0, gpu::kNoSlot});
+  rows.push_back({entry.threshold, probabilityWord(entry), 0, gpu::kNoSlot});
   rows.push_back({0, 0, 0, gpu::kLightEnvironment});
   rows.push_back({});
 }
@@ -37,7 +42,7 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
   const bool sphere = entry.kind == LightKind::sphere;
   const double area = sphere ? 0.0 : triangleArea(triangleOf(scene, primitive));
-  rows.push_back({entry.threshold, floatBits(entry.probability), floatBits(area), slot});
+  rows.push_back({entry.threshold, probabilityWord(entry), floatBits(area), slot});
   rows.push_back(row(emission, static_cast<std::uint32_t>(entry.kind)));
   const scene::Sphere ball = sphere ? scene.spheres[primitive.index] : scene::Sphere{glm::vec3(0), 0};
   rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
@@ -57,7 +62,22 @@ std::unordered_map<std::uint32_t, std::uint32_t> slotsOf(std::span<const LightEn
   return slots;
 }
 
+gpu::uvec4 rowOf(const glm::vec3& xyz, float w) { return row(glm::dvec3(xyz), double{w}); }
+
+void appendLightNode(const LightNode& node, Rows& rows) {
+  rows.push_back(rowOf(node.centre, node.radius));
+  rows.push_back({floatBits(node.power), node.axis, floatBits(node.cosine), node.next});
+}
+
 }  // namespace
+
+void appendLightTree(const LightTree& tree, std::uint32_t threshold, FlatScene& flat) {
+  flat.constants.firstLightTreeRow = rowCount(flat.rows);
+  const auto leaves = static_cast<std::uint32_t>(tree.leaves.size());
+  flat.rows.push_back({threshold, floatBits(threshold * 0x1p-24), leaves, 0});
+  for (const LightNode& node : tree.leaves) appendLightNode(node, flat.rows);
+  for (const LightNode& node : tree.inner) appendLightNode(node, flat.rows);
+}
 
 void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> order,
                   FlatScene& flat) {

@@ -8,7 +8,7 @@
 #include "host/trace/accel/wide_bvh.h"
 #include "host/trace/flatten/flat_rows.h"
 #include "host/trace/flatten/flat_scene.h"
-#include "host/trace/flatten/light_table.h"
+#include "host/trace/flatten/light_tree.h"
 
 namespace candela::flatten {
 
@@ -16,6 +16,9 @@ namespace candela::flatten {
 /// to them. `order`: the primitives in the order of their slots.
 void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> order,
                   FlatScene& flat);
+
+/// Appends the records of a light tree, which is chosen by the numbers below a threshold in units of 2^-24.
+void appendLightTree(const LightTree& tree, std::uint32_t threshold, FlatScene& flat);
 
 /// Sets the features that follow from the light table, which is empty for the Whitted tracer, and from the primitives
 /// that lights touch: see touchedPrimitives().

@@ -9,7 +9,6 @@
 #include "host/image/film.h"
 #include "host/scene/placed_bounds.h"
 #include "host/scene/shape.h"
-#include "host/trace/flatten/light_table.h"
 
 namespace candela::flatten {
 namespace {
@@ -88,23 +87,30 @@ double meanLuminance(const scene::Environment& environment) {
 }
 
 // In units of pi.
-GroupValues fluxes(const scene::Scene& scene, const GroupValues& weights) {
-  const double squared = squaredRadius(scene);
-  GroupValues flux{weights[0], 0, 0};
-  for (std::uint32_t i = 0; i < scene.pointLights.size(); ++i) {
-    flux[1] += lightPower(scene, LightKind::point, i) * std::numbers::pi * squared;
-  }
-  for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) flux[1] += lightPower(scene, LightKind::punctual, i);
-  if (weights[2] > 0) flux[2] = 4 * squared * meanLuminance(*scene.environment);
-  return flux;
+double fluxOf(const scene::Scene& scene, const LightEntry& entry, double squared) {
+  const double power = lightPower(scene, entry.kind, entry.index);
+  if (entry.isPoint()) return power * std::numbers::pi * squared;
+  if (entry.isEnvironment()) return power > 0 ? 4 * squared * meanLuminance(*scene.environment) : 0;
+  return power;
 }
 
 }  // namespace
 
-GroupValues groupProbabilities(const scene::Scene& scene, const GroupValues& weights) {
+std::size_t groupOf(LightKind kind, render::LightSelection selection) {
+  if (kind == LightKind::environment) return 2;
+  const bool hasPlace = kind == LightKind::punctual || kind == LightKind::spot;
+  return kind < LightKind::point || (hasPlace && selection == render::LightSelection::tree) ? 0 : 1;
+}
+
+GroupValues groupProbabilities(const scene::Scene& scene, std::span<const LightEntry> entries,
+                               render::LightSelection selection, const GroupValues& weights) {
   const auto count = static_cast<double>(std::ranges::count_if(weights, [](double weight) { return weight > 0; }));
   GroupValues flux = weights;
-  if (count > 1) flux = fluxes(scene, weights);
+  if (count > 1) {
+    const double squared = squaredRadius(scene);
+    flux = {};
+    for (const LightEntry& entry : entries) flux[groupOf(entry.kind, selection)] += fluxOf(scene, entry, squared);
+  }
   const double sum = flux[0] + flux[1] + flux[2];
   GroupValues probabilities{};
   for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -9,12 +9,14 @@
 #include "host/image/film.h"
 #include "host/scene/emission_mean.h"
 #include "host/trace/flatten/light_groups.h"
+#include "shaders/shared/scene_rows.h"
 
 namespace candela::flatten {
 namespace {
 
 constexpr double kThresholdScale = 16777216.0;  // 2^24: the resolution of the random numbers
-constexpr std::size_t kUnhitGroup = 1;          // lights without extent, which no ray hits
+constexpr std::size_t kTreeGroup = 0;           // lights of the tree, if there is one
+constexpr std::size_t kUnhitGroup = 1;          // lights without extent, which no ray hits, and which no tree has
 constexpr double kMinPart = 0.2;                // lowest weight of such a light, relative to their mean
 
 // Returns nothing for primitives that light sampling does not choose. The material emits.
@@ -38,44 +40,46 @@ double punctualPower(const scene::PunctualLight& light) {
   return reach * reach * image::luminance(glm::dvec3(light.intensity));
 }
 
-std::size_t groupOf(LightKind kind) {
-  if (kind == LightKind::environment) return 2;
-  return kind < LightKind::point ? 0 : kUnhitGroup;
-}
-
 // The environment's weight is 1 if any texel can be chosen.
 double environmentPower(const scene::Environment& environment) {
   return std::ranges::any_of(environment.weights, [](std::uint64_t weight) { return weight > 0; }) ? 1 : 0;
 }
 
-// Raises low weights of the lights that no ray hits, so that none is lost beside a much brighter one. Returns the sum.
-double raiseUnhit(const std::vector<LightEntry>& table, std::vector<double>& weights, double sum) {
-  std::vector<double*> unhit;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    if (groupOf(table[i].kind) == kUnhitGroup && weights[i] > 0) unhit.push_back(&weights[i]);
+// Raises low weights of a group, so that none of its lights is lost beside a much brighter one. Returns the sum.
+double raiseWeights(const std::vector<std::size_t>& groups, std::size_t group, std::vector<double>& weights,
+                    double sum) {
+  std::vector<double*> raisable;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (groups[i] == group && weights[i] > 0) raisable.push_back(&weights[i]);
   }
-  const double minimum = kMinPart * sum / static_cast<double>(unhit.size());
+  const double minimum = kMinPart * sum / static_cast<double>(raisable.size());
   double raised = 0;
-  for (double* weight : unhit) {
+  for (double* weight : raisable) {
     *weight = std::max(*weight, minimum);
     raised += *weight;
   }
   return raised;
 }
 
-void setThresholds(std::vector<LightEntry>& table, const std::vector<double>& probabilities) {
+// Begins with the probability of a tree, and is 2^24 from the last entry of positive probability on.
+void setThresholds(LightTable& table, double ofTree, const std::vector<double>& probabilities) {
   std::size_t lastPositive = 0;
+  bool hasOthers = false;
   for (std::size_t i = 0; i < probabilities.size(); ++i) {
-    if (probabilities[i] > 0) lastPositive = i;
+    if (probabilities[i] <= 0) continue;
+    lastPositive = i;
+    hasOthers = true;
   }
-  double sum = 0;
-  std::uint32_t previous = 0;
-  for (std::size_t i = 0; i < table.size(); ++i) {
+  const auto thresholdOf = [](double sum) { return std::floor(kThresholdScale * sum + 0.5); };
+  double sum = ofTree;
+  std::uint32_t previous = static_cast<std::uint32_t>(hasOthers ? thresholdOf(sum) : kThresholdScale * (sum > 0));
+  table.treeThreshold = previous;
+  for (std::size_t i = 0; i < table.entries.size(); ++i) {
     sum += probabilities[i];
-    const double threshold = i >= lastPositive ? kThresholdScale : std::floor(kThresholdScale * sum + 0.5);
-    table[i].threshold = static_cast<std::uint32_t>(threshold);
-    table[i].probability = static_cast<float>((threshold - previous) / kThresholdScale);
-    previous = table[i].threshold;
+    const double threshold = i >= lastPositive ? kThresholdScale : thresholdOf(sum);
+    table.entries[i].threshold = static_cast<std::uint32_t>(threshold);
+    table.entries[i].probability = static_cast<float>((threshold - previous) / kThresholdScale);
+    previous = table.entries[i].threshold;
   }
 }
 
@@ -101,14 +105,16 @@ double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index
   return 4 * std::numbers::pi * radius * radius * emitted;
 }
 
-std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters) {
-  std::vector<LightEntry> table;
+LightTable buildLightTable(const scene::Scene& scene, bool withEmitters, render::LightSelection selection) {
+  LightTable table;
   std::vector<double> weights;
+  std::vector<std::size_t> groups;
   GroupValues sums{};
   const auto add = [&](LightKind kind, std::uint32_t index) {
-    table.push_back({.kind = kind, .index = index});
+    table.entries.push_back({.kind = kind, .index = index});
     weights.push_back(lightPower(scene, kind, index));
-    sums[groupOf(kind)] += weights.back();
+    groups.push_back(groupOf(kind, selection));
+    sums[groups.back()] += weights.back();
   };
   for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
     if (!withEmitters || !isEmissive(scene.materials[run.start.material])) continue;
@@ -121,13 +127,16 @@ std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmit
   for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i);
   if (withEmitters && scene.environment) add(LightKind::environment, 0);
   if (sums == GroupValues{}) return {};
-  const GroupValues groups = groupProbabilities(scene, sums);
-  sums[kUnhitGroup] = raiseUnhit(table, weights, sums[kUnhitGroup]);
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const std::size_t group = groupOf(table[i].kind);
-    weights[i] = sums[group] > 0 ? weights[i] / sums[group] * groups[group] : 0;
+  const GroupValues probabilities = groupProbabilities(scene, table.entries, selection, sums);
+  sums[kUnhitGroup] = raiseWeights(groups, kUnhitGroup, weights, sums[kUnhitGroup]);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    LightEntry& entry = table.entries[i];
+    if (selection == render::LightSelection::tree && groups[i] == kTreeGroup) entry.trail = gpu::kNoTrail;
+    entry.inTree = entry.trail && weights[i] > 0;
+    const double part = sums[groups[i]] > 0 ? weights[i] / sums[groups[i]] * probabilities[groups[i]] : 0;
+    weights[i] = entry.inTree ? 0 : part;
   }
-  setThresholds(table, weights);
+  setThresholds(table, selection == render::LightSelection::tree ? probabilities[kTreeGroup] : 0, weights);
   return table;
 }
 

@@ -1,9 +1,11 @@
 // The table by which next-event estimation chooses lights: docs/light-transport.md section 6.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/trace/render/settings.h"
 #include "lists/light_kinds.h"
 
 namespace candela::flatten {
@@ -19,7 +21,10 @@ struct LightEntry {
   LightKind kind = LightKind::sphere;
   std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights or punctualLights
   std::uint32_t threshold = 0;  ///< T_i, in units of 2^-24
-  float probability = 0;        ///< P_i, exact
+  float probability = 0;        ///< P_i, exact; 0 for a light of the tree
+  bool inTree = false;
+  /// Trail in the light tree; gpu::kNoTrail for a light of no power. Absent of lights that no tree has.
+  std::optional<std::uint32_t> trail{};
 
   bool isEmitter() const { return kind < LightKind::point; }
   bool isPoint() const { return kind == LightKind::point; }
@@ -27,8 +32,16 @@ struct LightEntry {
   bool isEnvironment() const { return kind == LightKind::environment; }
 };
 
+struct LightTable {
+  std::vector<LightEntry> entries;
+  std::uint32_t treeThreshold = 0;  ///< T of the light tree in units of 2^-24; 0: there is none
+
+  bool hasTree() const { return treeThreshold > 0; }
+};
+
 /// Returns the table. Without `withEmitters` (--nee off), it contains only point and punctual lights.
-std::vector<LightEntry> buildLightTable(const scene::Scene& scene, bool withEmitters);
+LightTable buildLightTable(const scene::Scene& scene, bool withEmitters,
+                           render::LightSelection selection = render::LightSelection::power);
 
 /// Weight of a light in the choice within its group.
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index);

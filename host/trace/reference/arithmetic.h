@@ -50,6 +50,10 @@ class Arithmetic {
   virtual double lightDistance(double distance) { return distance; }
   virtual LightSample lightSample(const LightSample& light) { return light; }
 
+  /// The importance of a node of the light tree, apart from cosines, and a cosine on which it depends.
+  virtual double importance(double importance) { return importance; }
+  virtual double cosineOfImportance(double cosine) { return cosine; }
+
   /// A random number that is compared with a probability.
   virtual double choice(double number) { return number; }
   /// The random number that is compared with the probabilities of a surface's lobes.

@@ -42,6 +42,10 @@ double SphereLight::pdf(const Ray& ray, double, double probability) const {
 
 double SphereLight::power() const { return 4 * kPi * sphere_.radius * sphere_.radius * image::luminance(radiance_); }
 
+LightBounds SphereLight::bounds(bool) const {
+  return boundsOfSphere(glm::vec3(sphere_.centre), static_cast<float>(sphere_.radius));
+}
+
 std::optional<LightSample> TriangleLight::sample(const Surface& from, const dvec2& u) const {
   if (from.primitive == primitive_) return std::nullopt;
   const dvec2 b = sampleTriangle(u);
@@ -62,6 +66,10 @@ double TriangleLight::pdf(const Ray& ray, double distance, double probability) c
 }
 
 double TriangleLight::power() const { return area() * image::luminance(radiance_ * meanTexel_); }
+
+LightBounds TriangleLight::bounds(bool oneSided) const {
+  return boundsOfTriangle({triangle_.corner, triangle_.corner1, triangle_.corner2}, !oneSided);
+}
 
 std::optional<LightSample> PointLight::sample(const Surface& from, const dvec2&) const {
   const dvec3 toLight = position_ - from.position;
@@ -99,6 +107,12 @@ std::optional<LightSample> PunctualLight::sample(const Surface& from, const dvec
   }
   if (irradiance == dvec3(0)) return std::nullopt;
   return LightSample{-away, distance, irradiance, std::nullopt, kNoPrimitive, position_};
+}
+
+LightBounds PunctualLight::bounds(bool) const {
+  const glm::vec3 position(position_);
+  if (kind_ == scene::PunctualLight::Kind::point) return boundsOfPoint(position);
+  return boundsOfSpot(position, direction_, 1 - versineOuter_);
 }
 
 double PunctualLight::power() const {

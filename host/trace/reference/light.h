@@ -4,6 +4,8 @@
 //   pdf(ray, distance, probability)  density per solid angle with which sample(), from the origin of `ray`, chooses
 //                       the direction of the ray, which hits the light at `distance` or sees the background, times the
 //                       probability of choosing this light; 0 if it is never sampled
+//   intensity()         in the brightest direction, apart from a common factor; of lights that a tree can have
+//   bounds(oneSided)    the node of the light tree, without its power; of the same lights
 //   power()             weight of the light in the choice from the table; point lights and other lights have no common
 //                       unit
 #pragma once
@@ -12,6 +14,7 @@
 #include <variant>
 
 #include "host/trace/reference/geometry.h"
+#include "host/trace/reference/light_bounds.h"
 #include "host/trace/reference/light_margin.h"
 #include "host/trace/reference/surface.h"
 
@@ -41,6 +44,8 @@ class SphereLight {
   std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
   double pdf(const Ray& ray, double distance, double probability) const;
   double power() const;
+  double intensity() const { return power() / 4; }
+  LightBounds bounds(bool oneSided) const;
 
  private:
   SphereShape sphere_;
@@ -59,6 +64,8 @@ class TriangleLight {
   std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
   double pdf(const Ray& ray, double distance, double probability) const;
   double power() const;
+  double intensity() const { return power(); }
+  LightBounds bounds(bool oneSided) const;
   double area() const { return length(triangle_.areaNormal()) / 2; }
 
  private:
@@ -76,6 +83,8 @@ class PointLight {
   std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
   double pdf(const Ray&, double, double) const { return 0; }
   double power() const;
+  double intensity() const { return 0; }
+  LightBounds bounds(bool) const { return {}; }
 
  private:
   dvec3 position_;
@@ -90,6 +99,10 @@ class PunctualLight {
   std::optional<LightSample> sample(const Surface& from, const dvec2& u) const;
   double pdf(const Ray&, double, double) const { return 0; }
   double power() const;
+  double intensity() const { return power(); }
+  LightBounds bounds(bool oneSided) const;
+  /// Returns whether it is a point or spot light.
+  bool hasPlace() const { return kind_ != scene::PunctualLight::Kind::directional; }
 
  private:
   scene::PunctualLight::Kind kind_;
@@ -110,6 +123,8 @@ class EnvironmentLight {
   std::optional<LightSample> sample(const Surface&, const dvec2&) const { return std::nullopt; }
   double pdf(const Ray&, double, double) const { return 0; }
   double power() const { return shines_ ? 1 : 0; }
+  double intensity() const { return 0; }
+  LightBounds bounds(bool) const { return {}; }
 
  private:
   bool shines_;

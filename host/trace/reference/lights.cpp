@@ -17,18 +17,21 @@ constexpr std::uint32_t kChoiceCount = 1u << 24;
 constexpr double kMinGroupProbability = 0.2;
 constexpr double kMinPointWeight = 0.2;  // of the mean weight
 
-// Emitters, lights that no ray finds, and the environment.
+// Emitters, or lights of the tree; lights that no ray finds; and the environment.
 enum Group { kEmitters, kPoints, kEnvironment, kGroupCount };
 
-Group groupOf(const Light& light) {
+Group groupOf(const Light& light, render::LightSelection selection) {
   if (std::holds_alternative<EnvironmentLight>(light)) return kEnvironment;
-  const bool isPoint = std::holds_alternative<PointLight>(light) || std::holds_alternative<PunctualLight>(light);
-  return isPoint ? kPoints : kEmitters;
+  if (std::holds_alternative<PointLight>(light)) return kPoints;
+  const auto* const punctual = std::get_if<PunctualLight>(&light);
+  if (!punctual) return kEmitters;
+  return selection == render::LightSelection::tree && punctual->hasPlace() ? kEmitters : kPoints;
 }
 
 }  // namespace
 
-LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings) : scene_(&scene) {
+LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
+    : scene_(&scene), selection_(settings.image.lights) {
   const auto addEmitters = [&](const scene::PrimitiveRun& run) {
     for (std::uint32_t i = 0; i < scene.primitives.countOf(run); ++i) {
       addEmitter(run.first + i, run.at(run.first + i), settings.image.oneSided);
@@ -46,7 +49,27 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
   }
   const std::vector<double> groups = groupProbabilities();
   raisePointWeights();
+  if (selection_ == render::LightSelection::tree) buildTree(settings.image.oneSided);
   computeThresholds(groups);
+}
+
+void LightTable::buildTree(bool oneSided) {
+  std::vector<LightBounds> bounds;
+  std::vector<double> powers;
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    const Entry& entry = entries_[i];
+    if (groupOf(entry.light, selection_) != kEmitters || entry.weight <= 0) continue;
+    entriesOfTree_.push_back(i);
+    powers.push_back(std::visit([](const auto& light) { return light.intensity(); }, entry.light));
+    bounds.push_back(std::visit([&](const auto& light) { return light.bounds(oneSided); }, entry.light));
+  }
+  if (!bounds.empty()) tree_.emplace(std::move(bounds), powers);
+}
+
+std::optional<std::uint32_t> LightTable::indexInTree(std::uint32_t entry) const {
+  const auto found = std::ranges::lower_bound(entriesOfTree_, entry);
+  if (found == entriesOfTree_.end() || *found != entry) return std::nullopt;
+  return static_cast<std::uint32_t>(found - entriesOfTree_.begin());
 }
 
 void LightTable::addEmitter(std::uint32_t primitive, const scene::Primitive& emitter, bool oneSided) {
@@ -68,7 +91,7 @@ std::uint32_t LightTable::add(const Light& light, std::uint32_t primitive) {
 
 std::vector<double> LightTable::groupWeights() const {
   std::vector<double> sums(kGroupCount, 0.0);
-  for (const Entry& entry : entries_) sums[groupOf(entry.light)] += entry.weight;
+  for (const Entry& entry : entries_) sums[groupOf(entry.light, selection_)] += entry.weight;
   return sums;
 }
 
@@ -83,7 +106,7 @@ std::vector<double> LightTable::groupProbabilities() const {
     return isEnvironment ? 4 * squared * meanLuminance(*scene_->environment) : entry.weight;
   };
   std::array<double, kGroupCount> fluxes{};
-  for (const Entry& entry : entries_) fluxes[groupOf(entry.light)] += flux(entry);
+  for (const Entry& entry : entries_) fluxes[groupOf(entry.light, selection_)] += flux(entry);
   const double sum = fluxes[kEmitters] + fluxes[kPoints] + fluxes[kEnvironment];
   for (std::size_t group = 0; group < fluxes.size(); ++group) {
     const double fraction = sum > 0 ? fluxes[group] / sum : 1 / count;
@@ -93,7 +116,9 @@ std::vector<double> LightTable::groupProbabilities() const {
 }
 
 void LightTable::raisePointWeights() {
-  const auto isChoosable = [](const Entry& entry) { return groupOf(entry.light) == kPoints && entry.weight > 0; };
+  const auto isChoosable = [&](const Entry& entry) {
+    return groupOf(entry.light, selection_) == kPoints && entry.weight > 0;
+  };
   const auto count = static_cast<double>(std::ranges::count_if(entries_, isChoosable));
   const double minimum = kMinPointWeight * groupWeights()[kPoints] / count;
   for (Entry& entry : entries_) {
@@ -103,23 +128,39 @@ void LightTable::raisePointWeights() {
 
 void LightTable::computeThresholds(const std::vector<double>& groups) {
   const std::vector<double> sums = groupWeights();
-  double running = 0;
-  std::size_t last = 0;
+  double running = tree_ ? groups[kEmitters] : 0;
+  const auto thresholdOf = [](double sum) { return static_cast<std::uint32_t>(std::floor(sum * kChoiceCount + 0.5)); };
+  treeThreshold_ = thresholdOf(running);
+  std::optional<std::size_t> last;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    const int group = groupOf(entries_[i].light);
+    const int group = groupOf(entries_[i].light, selection_);
     const double groupSum = sums[group];
-    if (entries_[i].weight > 0) {
+    if (entries_[i].weight > 0 && !(tree_ && group == kEmitters)) {
       running += groups[group] * entries_[i].weight / groupSum;
       last = i;
     }
-    thresholds_.push_back(static_cast<std::uint32_t>(std::floor(running * kChoiceCount + 0.5)));
+    thresholds_.push_back(thresholdOf(running));
   }
-  if (running > 0) std::fill(thresholds_.begin() + static_cast<std::ptrdiff_t>(last), thresholds_.end(), kChoiceCount);
+  if (running == 0) return;
+  if (!last) treeThreshold_ = kChoiceCount;
+  std::fill(thresholds_.begin() + static_cast<std::ptrdiff_t>(last.value_or(0)), thresholds_.end(), kChoiceCount);
 }
 
 double LightTable::probability(std::uint32_t entry) const {
-  const std::uint32_t below = entry == 0 ? 0 : thresholds_[entry - 1];
+  const std::uint32_t below = entry == 0 ? treeThreshold_ : thresholds_[entry - 1];
   return static_cast<double>(thresholds_[entry] - below) / kChoiceCount;
+}
+
+double LightTable::probability(std::uint32_t entry, const LightReceiver& receiver, Arithmetic& arithmetic) const {
+  const std::optional<std::uint32_t> index = indexInTree(entry);
+  return index ? treeProbability() * tree_->probability(*index, receiver, arithmetic) : probability(entry);
+}
+
+LightChoice LightTable::choose(const LightReceiver& receiver, const VertexNumbers& u, Arithmetic& arithmetic) const {
+  const std::uint32_t word = u.lightChoice();
+  if (word >> 8 >= treeThreshold_) return choose(word);
+  const LightTree::Choice choice = tree_->choose(receiver, u, arithmetic);
+  return {entriesOfTree_[choice.light], treeProbability() * choice.probability};
 }
 
 LightChoice LightTable::choose(std::uint32_t word) const {
@@ -139,10 +180,11 @@ std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface
   return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
 }
 
-double LightTable::pdf(const Ray& ray, double distance, const Surface& surface) const {
+double LightTable::pdf(const Ray& ray, double distance, const Surface& surface, const LightReceiver& receiver,
+                       Arithmetic& arithmetic) const {
   const auto entry = entryOfPrimitive_.find(surface.primitive);
   if (entry == entryOfPrimitive_.end()) return 0;
-  const double chosen = probability(entry->second);
+  const double chosen = probability(entry->second, receiver, arithmetic);
   return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry->second].light);
 }
 

@@ -8,6 +8,7 @@
 #include "host/scene/scene.h"
 #include "host/scene/shape.h"
 #include "host/trace/reference/light.h"
+#include "host/trace/reference/light_tree.h"
 #include "host/trace/render/settings.h"
 
 namespace candela::reference {
@@ -28,13 +29,22 @@ class LightTable {
   /// Exclusive upper bounds of the 24-bit numbers that choose each entry.
   const std::vector<std::uint32_t>& thresholds() const { return thresholds_; }
 
-  /// `word` is the random number of the light choice. Requires canChoose().
+  /// Chooses with the numbers of a vertex. Requires canChoose().
+  LightChoice choose(const LightReceiver& receiver, const VertexNumbers& u, Arithmetic& arithmetic) const;
+  /// Chooses by the 32-bit number of the light choice. Requires canChoose(), and that there is no tree.
   LightChoice choose(std::uint32_t word) const;
   /// Returns nothing if the light does not illuminate `surface` with these numbers, or is a copy of its primitive.
   std::optional<LightSample> sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const;
   /// Returns the density, per solid angle and times the probability of the choice, with which light sampling chooses
-  /// the hit of `ray` on `surface`; 0 if the primitive is not in the table.
-  double pdf(const Ray& ray, double distance, const Surface& surface) const;
+  /// the hit of `ray`, which starts at `receiver`, on `surface`; 0 if the primitive is not in the table.
+  double pdf(const Ray& ray, double distance, const Surface& surface, const LightReceiver& receiver,
+             Arithmetic& arithmetic) const;
+  /// Returns the probability with which an entry is chosen for `receiver`.
+  double probability(std::uint32_t entry, const LightReceiver& receiver, Arithmetic& arithmetic) const;
+  /// The tree, if the settings select one and the scene has lights for it.
+  const std::optional<LightTree>& tree() const { return tree_; }
+  /// Index in the tree of an entry of the table; none if it is not in the tree.
+  std::optional<std::uint32_t> indexInTree(std::uint32_t entry) const;
   /// Returns whether an entry is the environment, which sample() does not sample.
   bool isEnvironment(std::uint32_t entry) const { return entry == entryOfEnvironment_; }
   /// Returns the probability of choosing the environment; 0 if it is not in the table.
@@ -55,6 +65,7 @@ class LightTable {
   /// Returns the index of the entry.
   std::uint32_t add(const Light& light, std::uint32_t primitive = kNoPrimitive);
   bool isOnCopy(const Entry& entry, const Surface& surface) const;
+  void buildTree(bool oneSided);
   /// Sums of the entries' weights.
   std::vector<double> groupWeights() const;
   /// The probability of each group that has an entry of positive weight.
@@ -63,9 +74,14 @@ class LightTable {
   void raisePointWeights();
   void computeThresholds(const std::vector<double>& groups);
   double probability(std::uint32_t entry) const;
+  double treeProbability() const { return treeThreshold_ * 0x1p-24; }
 
   const scene::Scene* scene_;
+  render::LightSelection selection_;
+  std::optional<LightTree> tree_;
+  std::vector<std::uint32_t> entriesOfTree_;  // ascending
   std::vector<Entry> entries_;
+  std::uint32_t treeThreshold_ = 0;
   std::vector<std::uint32_t> thresholds_;
   std::unordered_map<std::uint32_t, std::uint32_t> entryOfPrimitive_;
   std::uint32_t entryOfEnvironment_ = kNoEntry;

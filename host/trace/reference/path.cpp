@@ -38,6 +38,7 @@ struct PathTracer::Path {
   Ray ray;
   Volumes volumes;
   std::optional<double> pdf{};  // of the ray's direction; none: delta
+  LightReceiver receiver{};     // at which the ray starts; undefined for camera rays
   dvec3 beta{1};                // the throughput
   dvec3 radiance{0};
   std::uint32_t depth = 1;  // of the ray
@@ -96,6 +97,7 @@ dvec3 PathTracer::tracePath(Path& path) const {
     if (path.depth == settings_.image.maxDepth) break;
     const Shading shading(vertex.surface, vertex.material, path.ray.direction, channelAt(path, vertex.surface),
                           path.arithmetic);
+    path.receiver = shading.receiver();
     light(path, shading);
     if (!scatter(path, shading) || !roulette(path)) break;
   }
@@ -190,11 +192,15 @@ dvec3 PathTracer::emission(const Path& path, const Vertex& vertex) const {
   if (!material.emits) return dvec3(0);
   const bool isTriangle = scene().primitives[surface.primitive].kind == scene::PrimitiveKind::triangle;
   if (settings_.image.oneSided && isTriangle && !surface.fromOutside) return dvec3(0);
-  const double lightPdf = path.pdf ? path.arithmetic.pdf(lights_.pdf(path.ray, distance, surface)) : 0;
+  const double lightPdf = path.pdf ? path.arithmetic.pdf(pdfByLights(path, vertex)) : 0;
   const double weight = path.pdf ? powerHeuristic(*path.pdf, lightPdf) : 1;
   const dvec3 found = weight * material.emission;
   path.notes.emission(found, weight);
   return found;
+}
+
+double PathTracer::pdfByLights(const Path& path, const Vertex& vertex) const {
+  return lights_.pdf(path.ray, vertex.distance, vertex.surface, path.receiver, path.arithmetic);
 }
 
 std::optional<ChannelChoice> PathTracer::channelAt(const Path& path, const Surface& surface) const {
@@ -215,7 +221,7 @@ std::optional<LightSample> PathTracer::sampleLight(const Path& path, std::uint32
 }
 
 dvec3 PathTracer::directLight(const Path& path, const Shading& shading) const {
-  const LightChoice choice = lights_.choose(path.u().lightChoice());
+  const LightChoice choice = lights_.choose(path.receiver, path.u(), path.arithmetic);
   path.notes.lightChoice(choice);
   std::optional<LightSample> light = sampleLight(path, choice.entry, shading.surface());
   if (!light) return dvec3(0);

@@ -50,6 +50,8 @@ class PathTracer final : public PixelTracer {
   void noteHit(Path& path, const Vertex& vertex) const;
   dvec3 emission(const Path& path, const Vertex& vertex) const;
   /// Chooses the channel by which a direction is sampled; nothing if the surface does not disperse light.
+  /// The density with which light sampling at the start of the ray would have chosen the hit.
+  double pdfByLights(const Path& path, const Vertex& vertex) const;
   std::optional<ChannelChoice> channelAt(const Path& path, const Surface& surface) const;
   /// Returns a sample of an entry of the light table as seen from a surface.
   std::optional<LightSample> sampleLight(const Path& path, std::uint32_t entry, const Surface& surface) const;

@@ -51,6 +51,11 @@ Shading::Shading(const Surface& at, SurfaceMaterial& material, const dvec3& rayD
   material.bsdf.setSurface(*material.surface, wo, at.fromOutside, material.isCoatAlone, choice);
 }
 
+LightReceiver Shading::receiver() const {
+  return {surface_.position, StoredDirection(facets ? surface_.facingNormal : surface_.shadingNormal),
+          bsdf_.scattersTo(Side::transmission)};
+}
+
 BsdfValue Shading::valueOf(const dvec3& wi, Side side) const {
   return arithmetic_.bsdfValue(scatteredValue(bsdf_, facets, wo, wi, side), bsdf_.surface());
 }

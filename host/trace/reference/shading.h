@@ -49,6 +49,8 @@ class Shading : public ShadingFrame {
   const Surface& surface() const { return surface_; }
   const Bsdf& bsdf() const { return bsdf_; }
 
+  /// The vertex as the light tree sees it.
+  LightReceiver receiver() const;
   dvec3 toLocal(const dvec3& world) const { return arithmetic_.direction(frame.toLocal(world)); }
   /// Returns f times the cosine for `wi`, which is in the local frame and on this side.
   BsdfValue valueOf(const dvec3& wi, Side side) const;

@@ -13,6 +13,8 @@
 namespace candela::render {
 namespace {
 
+constexpr std::size_t kMinTreeLights = 1u << 30;
+
 AccelKind accelOf(const scene::Scene& scene) {
   if (scene.requestedAccel == scene::RequestedAccel::none) return AccelKind::none;
   if (scene.requestedAccel == scene::RequestedAccel::grid) return AccelKind::grid;
@@ -34,9 +36,23 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.image.maxDepth = request.maxDepth.value_or(defaultMaxDepth(settings.image.integrator));
   const bool isView = render::isView(settings.image.integrator);
   settings.image.filmScale = request.filmScale ? *request.filmScale : isView ? 0 : filmScaleOf(scene);
+  settings.image.lights = request.lights ? *request.lights : selectionFor(scene);
   settings.structure.accel = request.accel.value_or(accelOf(scene));
   settings.structure.accelIsPreference = !request.accel;
   return settings;
+}
+
+LightSelection selectionFor(const scene::Scene& scene) {
+  std::size_t count = 0;
+  for (const scene::PunctualLight& light : scene.punctualLights) {
+    count += light.kind != scene::PunctualLight::Kind::directional;
+  }
+  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
+    const bool isLight = run.start.kind == scene::PrimitiveKind::triangle ||
+                         run.start.kind == scene::PrimitiveKind::sphere;
+    if (isLight && isEmissive(scene.materials[run.start.material])) count += scene.primitives.countOf(run);
+  }
+  return count >= kMinTreeLights ? LightSelection::tree : LightSelection::power;
 }
 
 RenderRequest requestOf(const RenderSettings& settings) {
@@ -46,6 +62,7 @@ RenderRequest requestOf(const RenderSettings& settings) {
           .accel = settings.structure.accel,
           .maxDepth = image.maxDepth,
           .filmScale = image.filmScale,
+          .lights = image.lights,
           .image = image,
           .structure = settings.structure,
           .execution = settings.execution};

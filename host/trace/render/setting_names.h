@@ -41,6 +41,9 @@ template <>
 inline constexpr std::array kNamesOf<FilterKind>{NamedValue{"box", FilterKind::box},
                                                  NamedValue{"tent", FilterKind::tent}};
 template <>
+inline constexpr std::array kNamesOf<LightSelection>{NamedValue{"power", LightSelection::power},
+                                                     NamedValue{"tree", LightSelection::tree}};
+template <>
 inline constexpr std::array kNamesOf<LensKind>{NamedValue{"disc", LensKind::disc},
                                                NamedValue{"square", LensKind::square}};
 template <>

@@ -22,6 +22,8 @@ constexpr bool isView(Integrator integrator) { return integrator >= Integrator::
 
 enum class SamplerKind { independent, stratified, sobol };
 enum class FilterKind { box, tent };
+/// How lights are chosen: by their power, or by a tree, depending on the point: docs/light-transport.md section 6.
+enum class LightSelection { power, tree };
 enum class LensKind { disc, square };
 /// Points through which camera rays pass without jitter: the centres of pixels, or the corners of a grid of (width - 1)
 /// x (height - 1) cells.
@@ -105,6 +107,7 @@ struct ImageSettings : ImageChoices {
   std::uint32_t maxDepth = 64;
   /// Exponent k of the film's scale, at most image::kMaxFilmScale: see image::Film.
   std::uint32_t filmScale = 0;
+  LightSelection lights = LightSelection::power;  ///< path tracer only
 
   /// Returns the pixels that are rendered: those of the film.
   Window window() const { return crop.value_or(windowOf(size)); }

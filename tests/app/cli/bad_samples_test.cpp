@@ -40,10 +40,12 @@ render::BadSampleTally tallyOfOne() {
 TEST_CASE("a path's bad sample is replayed by `explain` with every option on which it depends") {
   const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   CHECK(replayCommand(kPixel, job) ==
-        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --accel bvh --spp 64 --pixel 2,1 --sample 5");
+        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --lights power --accel bvh --spp 64 --pixel "
+        "2,1 --sample 5");
   const RenderJob strata = jobWith(render::Integrator::path, render::SamplerKind::stratified);
   CHECK(replayCommand(kPixel, strata) ==
-        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --sampler stratified --accel bvh --spp 64 "
+        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --lights power --sampler stratified --accel "
+        "bvh --spp 64 "
         "--pixel 2,1 --sample 5");
 }
 

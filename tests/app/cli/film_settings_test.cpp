@@ -41,16 +41,27 @@ void checkSettings(const RenderJob& job) {
 
 TEST_CASE("each setting of films has the name, the default and the values of an option") {
   checkSettings(jobWith({}));
-  checkSettings(jobWith({{"--max-depth", "7"},         {"--rr-start", "2"},
-                         {"--ao-distance", "0.1"},     {"--nee", "off"},
-                         {"--sampler", "independent"}, {"--filter", "tent"},
-                         {"--lens", "square"},         {"--pixel-origin", "corner"},
-                         {"--light-size", "0.3"},      {"--clamp-indirect", "1.7"},
-                         {"--background", "none"},     {"--aov-through-specular", "true"},
-                         {"--noise-threshold", "15%"}, {"--spp", "4096"},
-                         {"--one-sided", "true"},      {"--lenient", "true"},
-                         {"--env-rotate", "12.5"},     {"--env-scale", "0.7"},
-                         {"--camera", "left"},         {"--time", "0.25"},
+  checkSettings(jobWith({{"--max-depth", "7"},
+                         {"--rr-start", "2"},
+                         {"--ao-distance", "0.1"},
+                         {"--nee", "off"},
+                         {"--lights", "tree"},
+                         {"--sampler", "independent"},
+                         {"--filter", "tent"},
+                         {"--lens", "square"},
+                         {"--pixel-origin", "corner"},
+                         {"--light-size", "0.3"},
+                         {"--clamp-indirect", "1.7"},
+                         {"--background", "none"},
+                         {"--aov-through-specular", "true"},
+                         {"--noise-threshold", "15%"},
+                         {"--spp", "4096"},
+                         {"--one-sided", "true"},
+                         {"--lenient", "true"},
+                         {"--env-rotate", "12.5"},
+                         {"--env-scale", "0.7"},
+                         {"--camera", "left"},
+                         {"--time", "0.25"},
                          {"--animation", "walk"}}));
   checkSettings(jobWith({{"--integrator", "whitted"}, {"--sampler", "stratified"}, {"--background", "env"}}));
 }

@@ -31,6 +31,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--integrator", "path|whitted|ao|normal|albedo|depth|id|cost", "path"},
       {"--ao-distance", "D", "auto"},
       {"--nee", "on|off", "on"},
+      {"--lights", "power|tree", "auto"},
       {"--sampler", "independent|stratified|sobol", "sobol"},
       {"--filter", "box|tent", "box"},
       {"--lens", "disc|square", "disc"},

@@ -62,7 +62,8 @@ TEST_CASE("an EXR file describes how it was rendered") {
   CHECK(metadata.at("candela.version") == CANDELA_VERSION);
   CHECK(metadata.at("candela.settings") ==
         "--spp 3 --seed 5 --size 16x12 --max-depth 64 --rr-start 4 --integrator path --ao-distance auto --nee on "
-        "--sampler sobol --filter box --lens disc --pixel-origin centre --light-size 0 --clamp-indirect off "
+        "--lights power --sampler sobol --filter box --lens disc --pixel-origin centre --light-size 0 --clamp-indirect "
+        "off "
         "--background env --film-scale auto --noise-threshold off --one-sided");
 }
 

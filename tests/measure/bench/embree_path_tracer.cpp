@@ -37,7 +37,7 @@ EmbreePathTracer::EmbreePathTracer(const scene::Scene& scene, const render::Rend
     : scene_(scene),
       image_(settings.image),
       embree_(scene),
-      lights_(flatten::buildLightTable(scene, true)),
+      lights_(flatten::buildLightTable(scene, true).entries),
       sampler_(image_.sampler, image_.seed, image_.sampleCount),
       camera_(*scene.camera, image_) {
   camera_.setJitter(image_.jittersPixels());

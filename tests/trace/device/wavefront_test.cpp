@@ -3,6 +3,7 @@
 
 #include "host/trace/vulkan/loop_limit.h"
 #include "tests/scene/generate/generated_text.h"
+#include "tests/trace/light_tree_scenes.h"
 #include "tests/trace/render/render_support.h"
 #include "tests/trace/vulkan_support/test_device.h"
 
@@ -75,6 +76,17 @@ TEST_CASE(
   settings.image.sampleCount = 4;
   settings.image.rouletteStart = 1;
   requireSame(primitivesUnderLights(), settings);
+}
+
+TEST_CASE("the wavefront gives the megakernel's film and counts: lights chosen by a tree", "[swiftshader-slow]") {
+  scene::Scene scene = test::litRoom(120, 5);
+  for (const render::SamplerKind sampler : {render::SamplerKind::sobol, render::SamplerKind::stratified}) {
+    render::RenderSettings settings = wavefrontSettings();
+    settings.image.lights = render::LightSelection::tree;
+    settings.image.sampler = sampler;
+    settings.image.sampleCount = 4;
+    requireSame(scene, settings);
+  }
 }
 
 TEST_CASE("the structure does not change the film of the wavefront kernel", "[swiftshader-slow]") {

@@ -291,7 +291,7 @@ TEST_CASE("geometries: a triangle refers to its light, whatever the attributes o
   b.material(lamp).quad({-9, -9, 9}, {9, -9, 9}, {9, 9, 9}, {-9, 9, 9});
   const flatten::FlatScene flat = flattened(b.scene);
   checkTriangles(b.scene, flat);
-  const std::vector<flatten::LightEntry> table = flatten::buildLightTable(b.scene, true);
+  const std::vector<flatten::LightEntry> table = flatten::buildLightTable(b.scene, true).entries;
   REQUIRE(flat.constants.lightCount == table.size());
   std::vector<std::uint32_t> lightOf(b.scene.primitives.size());
   for (std::uint32_t i = 0; i < table.size(); ++i) lightOf[table[i].index] = i + 1;

@@ -122,7 +122,7 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstInstanceRow),
                                                        MEMBER(RenderConstants, topNode),
                                                        MEMBER(RenderConstants, firstAttributeRow),
-                                                       MEMBER(RenderConstants, unused0)});
+                                                       MEMBER(RenderConstants, firstLightTreeRow)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==

@@ -34,7 +34,7 @@ TEST_CASE("an environment is chosen by its mean luminance times the area of the 
     scene.environment = scene::Environment{.name = "", .width = 4, .height = 2, .texels = {}, .weights = {}};
     scene.environment->texels.assign(8, glm::vec3(radiance));
     scene.environment->weights.assign(8, scene::Environment::kMeanWeight);
-    const auto table = flatten::buildLightTable(scene, true);
+    const auto table = flatten::buildLightTable(scene, true).entries;
     REQUIRE(table.size() == 3);
     const double flux = (9 + 1 + 1) * double{radiance};
     CHECK(table[2].probability == Approx(0.2 + 0.6 * flux / (flux + 4)).margin(kStep));
@@ -43,7 +43,7 @@ TEST_CASE("an environment is chosen by its mean luminance times the area of the 
 }
 
 TEST_CASE("emitters are chosen in proportion to area times emission") {
-  const auto table = flatten::buildLightTable(lamps(), true);
+  const auto table = flatten::buildLightTable(lamps(), true).entries;
   REQUIRE(table.size() == 2);
   CHECK(table[0].index == 1);
   CHECK(table[0].probability == 0.25f);
@@ -55,14 +55,14 @@ TEST_CASE("emitters are chosen in proportion to area times emission") {
 TEST_CASE("groups of lights are chosen by the flux that the scene receives, and point lights alone by their colours") {
   scene::Scene scene = lamps();
   scene.pointLights = {{{0, 0, 5}, {1, 1, 1}}, {{0, 0, 6}, {3, 3, 3}}};
-  const auto both = flatten::buildLightTable(scene, true);
+  const auto both = flatten::buildLightTable(scene, true).entries;
   REQUIRE(both.size() == 4);
   const double points = 0.2 + 0.6 * kPointFlux * 4 / (kPointFlux * 4 + 4);
   CHECK(both[0].probability == Approx((1 - points) / 4).margin(kStep));
   CHECK(both[1].probability == Approx((1 - points) * 3 / 4).margin(kStep));
   CHECK(both[2].probability == Approx(points / 4).margin(kStep));
   CHECK(both[3].probability == Approx(points * 3 / 4).margin(kStep));
-  const auto pointsOnly = flatten::buildLightTable(scene, false);
+  const auto pointsOnly = flatten::buildLightTable(scene, false).entries;
   REQUIRE(pointsOnly.size() == 2);
   CHECK(pointsOnly[0].isPoint());
   CHECK(pointsOnly[0].probability == 0.25f);
@@ -75,7 +75,7 @@ TEST_CASE("punctual lights are chosen by intensity, a directional one by irradia
   scene.punctualLights = {{.kind = Kind::directional, .intensity = {0.5f, 0.5f, 0.5f}, .reach = 2},
                           {.kind = Kind::point, .intensity = {0, 0, 0}},
                           {.kind = Kind::spot, .intensity = {5, 5, 5}}};
-  const auto table = flatten::buildLightTable(scene, true);
+  const auto table = flatten::buildLightTable(scene, true).entries;
   REQUIRE(table.size() == 6);
   const double points = 0.2 + 0.6 * (kPointFlux + 7) / (kPointFlux + 7 + 4);
   CHECK(table[2].isPoint());
@@ -86,7 +86,7 @@ TEST_CASE("punctual lights are chosen by intensity, a directional one by irradia
   CHECK(table[4].probability == 0);
   CHECK(table[5].kind == flatten::LightKind::spot);
   CHECK(table[5].probability == Approx(points * 5 / 8).margin(kStep));
-  CHECK(flatten::buildLightTable(scene, false).size() == 4);
+  CHECK(flatten::buildLightTable(scene, false).entries.size() == 4);
 }
 
 TEST_CASE("a lamp beside a sun has a fifth of its equal part, and a lamp that is off has none") {
@@ -96,7 +96,7 @@ TEST_CASE("a lamp beside a sun has a fifth of its equal part, and a lamp that is
   scene.punctualLights = {{.kind = Kind::directional, .intensity = glm::vec3(1e5f), .reach = 800},
                           {.kind = Kind::point, .intensity = {0, 0, 0}},
                           {.kind = Kind::spot, .intensity = {64, 64, 64}}};
-  const auto table = flatten::buildLightTable(scene, false);
+  const auto table = flatten::buildLightTable(scene, false).entries;
   REQUIRE(table.size() == 4);
   // With the sun's weight as 1: 1/15, 1, 0 and 1/15.
   CHECK(table[0].probability == Approx(1.0 / 17).margin(kStep));
@@ -110,13 +110,13 @@ TEST_CASE("emitters that cannot be sampled by area are not in the table") {
   scene.cones.push_back({{0, 0, 0}, 1, {0, 0, 1}, 1});
   scene.primitives.push_back({scene::PrimitiveKind::cone, 0, 1});
   addTriangle(scene, {{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}}, 1);  // no area
-  CHECK(flatten::buildLightTable(scene, true).size() == 2);
+  CHECK(flatten::buildLightTable(scene, true).entries.size() == 2);
 }
 
 TEST_CASE("thresholds ascend and end at 2^24 for any number of lights") {
   scene::Scene scene = lamps();
   for (std::uint32_t i = 0; i < 999; ++i) scene.primitives.push_back({scene::PrimitiveKind::triangle, i % 2, 1});
-  const auto table = flatten::buildLightTable(scene, true);
+  const auto table = flatten::buildLightTable(scene, true).entries;
   double sum = 0;
   for (std::size_t i = 0; i < table.size(); ++i) {
     sum += table[i].probability;

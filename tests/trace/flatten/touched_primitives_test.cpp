@@ -19,7 +19,7 @@ namespace {
 
 // Indices of the marked primitives.
 std::vector<std::uint32_t> touchedIn(const scene::Scene& scene, const render::ImageSettings& image = {}) {
-  const std::vector<flatten::LightEntry> table = flatten::buildLightTable(scene, image.nextEventEstimation);
+  const std::vector<flatten::LightEntry> table = flatten::buildLightTable(scene, image.nextEventEstimation).entries;
   const std::vector<bool> touched = touchedPrimitives(scene, lightPositions(scene, table, image));
   std::vector<std::uint32_t> result;
   for (std::uint32_t i = 0; i < touched.size(); ++i) {

@@ -4,6 +4,7 @@
 
 #include "spirv/environment_leaf.h"
 #include "spirv/light_leaf.h"
+#include "spirv/light_tree_leaf.h"
 #include "spirv/material_leaf.h"
 #include "spirv/ray_leaf.h"
 #include "spirv/warps_leaf.h"
@@ -133,6 +134,54 @@ std::vector<ChosenLight> LightLeaves::choose(std::span<const std::uint32_t> word
   }
   REQUIRE(truncated == 0);
   return chosen;
+}
+
+struct LightTreeLeaves::Side {
+  device::SceneLeaf leaf;
+
+  // The tasks of light_tree_leaf.comp.
+  static constexpr std::uint32_t kChoose = 0, kFind = 1;
+
+  static render::RenderSettings settings() {
+    render::RenderSettings settings = render::defaultSettings();
+    settings.image.lights = render::LightSelection::tree;
+    settings.image.sampler = render::SamplerKind::independent;
+    return settings;
+  }
+
+  template <class Number>
+  std::vector<vec4> run(std::uint32_t task, const ReceiverQuery& receiver, std::size_t count, const Number& numberOf) {
+    std::vector<vec4> inputs;
+    for (std::size_t i = 0; i < count; ++i) {
+      inputs.emplace_back(vec3(receiver.position), receiver.transmits ? 1.0f : 0.0f);
+      inputs.emplace_back(vec3(receiver.normal), number(numberOf(i)));
+    }
+    return leaf.run<vec4>(inputs, count, count, task);
+  }
+};
+
+LightTreeLeaves::LightTreeLeaves(const scene::Scene& scene)
+    : side_(new Side{device::SceneLeaf(spirv::light_tree_leaf, scene, Side::settings())}) {}
+LightTreeLeaves::~LightTreeLeaves() = default;
+
+std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, std::uint32_t samples) const {
+  std::vector<ChosenLight> chosen;
+  std::uint32_t truncated = 0;
+  const auto sample = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
+  for (const vec4& row : side_->run(Side::kChoose, receiver, samples, sample)) {
+    chosen.push_back({count(row.x), row.y});
+    truncated += count(row.z);
+  }
+  REQUIRE(truncated == 0);
+  return chosen;
+}
+
+std::vector<double> LightTreeLeaves::probabilities(const ReceiverQuery& receiver,
+                                                   std::span<const std::uint32_t> entries) const {
+  std::vector<double> probabilities;
+  const auto entry = [&](std::size_t i) { return entries[i]; };
+  for (const vec4& row : side_->run(Side::kFind, receiver, entries.size(), entry)) probabilities.push_back(row.y);
+  return probabilities;
 }
 
 std::vector<LitPoint> LightLeaves::sample(std::uint32_t entry, const Viewpoint& from,

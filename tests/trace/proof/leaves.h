@@ -113,6 +113,27 @@ class LightLeaves {
   std::unique_ptr<Side> side_;
 };
 
+/// A point for which lights are chosen, with a normal of length 1.
+struct ReceiverQuery {
+  dvec3 position{0};
+  dvec3 normal{0, 0, 1};
+  bool transmits = false;
+};
+/// The choice of lights by a tree, with the independent numbers of seed 0.
+class LightTreeLeaves {
+ public:
+  explicit LightTreeLeaves(const scene::Scene& scene);
+  ~LightTreeLeaves();
+  /// Chooses with the numbers of vertex 1 of samples 0 to count - 1 of pixel 0.
+  std::vector<ChosenLight> choose(const ReceiverQuery& receiver, std::uint32_t count) const;
+  /// Returns the probabilities with which the emitters of these entries are chosen.
+  std::vector<double> probabilities(const ReceiverQuery& receiver, std::span<const std::uint32_t> entries) const;
+
+ private:
+  struct Side;
+  std::unique_ptr<Side> side_;
+};
+
 /// Numbers of a light sample of an environment: words of light u and v, and the place around the texel.
 struct EnvironmentQuery {
   std::uint32_t wordU = 0;

@@ -15,7 +15,7 @@ layout(set = 0, binding = 2, std430) writeonly buffer Outputs { vec4 outputs[]; 
 
 vec4 choice(uint number) {
   uint truncated = 0u;
-  uint entry = chooseLight(number, truncated);
+  uint entry = entryChosenBy(number, truncated);
   return vec4(float(entry), loadLight(entry).probability, float(truncated), 0.0);
 }
 
@@ -32,11 +32,11 @@ Surface surfaceOf(vec4 place, uint slot) {
   return surface;
 }
 
-vec4 found(Surface from, uint slot, vec3 direction) {
+vec4 found(Surface from, uint entry, uint slot, vec3 direction) {
   Ray ray = rayFrom(from, direction, false);
   float t = hitPrimitive(ray, slot, kAnyPrimitive).t;
   if (t >= kNoHit) return vec4(0.0);
-  return vec4(t, lightPdf(ray, surfaceAt(ray, Hit(t, slot, 0u, 0u, false, t)), t), 0.0, 0.0);
+  return vec4(t, lightPdf(loadLight(entry), ray, surfaceAt(ray, Hit(t, slot, 0u, 0u, false, t)), t), 0.0, 0.0);
 }
 
 void main() {
@@ -55,6 +55,6 @@ void main() {
     outputs[2u * i] = vec4(lit.wi, lit.pdf);
     outputs[2u * i + 1u] = vec4(lit.emission, lit.distance);
   } else {
-    outputs[2u * i] = found(from, light.slot, query.xyz);
+    outputs[2u * i] = found(from, uint(query.w), light.slot, query.xyz);
   }
 }

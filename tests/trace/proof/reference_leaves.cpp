@@ -160,7 +160,8 @@ struct LightLeaves::Side {
     const double distance = distanceTo(scene.primitives[entry], ray, from.onLight);
     if (distance == reference::kNoHit) return {};
     const reference::Surface surface = reference::surfaceAt(scene, ray, {distance, entry});
-    return {distance, table.pdf(ray, distance, surface)};
+    reference::Arithmetic exact;
+    return {distance, table.pdf(ray, distance, surface, {}, exact)};
   }
 
   double distanceTo(const scene::Primitive& primitive, const reference::Ray& ray, bool startsHere) const {
@@ -188,6 +189,46 @@ std::vector<LitPoint> LightLeaves::sample(std::uint32_t entry, const Viewpoint& 
   std::vector<LitPoint> points;
   for (const glm::vec3& u : numbers) points.push_back(side_->sample(entry, from, dvec2(u)));
   return points;
+}
+
+struct LightTreeLeaves::Side {
+  static render::RenderSettings settings() {
+    render::RenderSettings settings = render::defaultSettings();
+    settings.image.lights = render::LightSelection::tree;
+    return settings;
+  }
+  static reference::LightReceiver receiverOf(const ReceiverQuery& query) {
+    return {query.position, reference::StoredDirection(query.normal), query.transmits};
+  }
+
+  scene::Scene scene;
+  reference::LightTable table;
+  reference::Arithmetic exact{};
+  reference::Sampler sampler{render::SamplerKind::independent, 0, 1};
+
+  explicit Side(const scene::Scene& lights) : scene(lights), table(scene, settings()) {}
+};
+
+LightTreeLeaves::LightTreeLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+LightTreeLeaves::~LightTreeLeaves() = default;
+
+std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, std::uint32_t count) const {
+  std::vector<ChosenLight> chosen;
+  for (std::uint32_t sample = 0; sample < count; ++sample) {
+    reference::SampleNumbers numbers(side_->sampler, 0, 0, sample);
+    const auto choice = side_->table.choose(Side::receiverOf(receiver), {numbers, 1}, side_->exact);
+    chosen.push_back({choice.entry, choice.probability});
+  }
+  return chosen;
+}
+
+std::vector<double> LightTreeLeaves::probabilities(const ReceiverQuery& receiver,
+                                                   std::span<const std::uint32_t> entries) const {
+  std::vector<double> probabilities;
+  for (const std::uint32_t entry : entries) {
+    probabilities.push_back(side_->table.probability(entry, Side::receiverOf(receiver), side_->exact));
+  }
+  return probabilities;
 }
 
 std::vector<FoundLight> LightLeaves::find(std::uint32_t entry, const Viewpoint& from,

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "host/trace/reference/arithmetic.h"
 #include "host/trace/reference/lights.h"
 #include "host/trace/reference/sampling.h"
 #include "host/trace/reference/tracing.h"
@@ -159,6 +160,7 @@ TEST_CASE("triangle samples give the form factor of a triangle") {
 }
 
 TEST_CASE("the density of a hit is the density with which it is sampled") {
+  Arithmetic exact;
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(1), vec3(1)));
   b.sphere({0, 0, 3}, 1).sphere({0, 0, 0}, -5).triangle({1, 0, 1}, {1, 1, 1}, {2, 0, 1});
@@ -177,7 +179,7 @@ TEST_CASE("the density of a hit is the density with which it is sampled") {
     CHECK(hit.distance == Approx(sample->distance));
     const double share = (lights.thresholds()[entry] - (entry > 0 ? lights.thresholds()[entry - 1] : 0)) / double{kAll};
     const Surface lit = surfaceAt(b.scene, ray, {hit.distance, entry});
-    CHECK(lights.pdf(ray, hit.distance, lit) == Approx(share * *sample->pdf));
+    CHECK(lights.pdf(ray, hit.distance, lit, {}, exact) == Approx(share * *sample->pdf));
   }
 }
 

@@ -3,7 +3,7 @@
 
 #include "host/formats/load_scene.h"
 #include "host/judge/verify/agreement.h"
-#include "tests/trace/reference/scene_builder.h"
+#include "tests/trace/light_tree_scenes.h"
 #include "tests/trace/render/render_support.h"
 
 using namespace candela;
@@ -53,6 +53,19 @@ void requireSameMeans(std::uint32_t side, std::uint32_t samples) {
 }  // namespace
 
 TEST_CASE("every scene has the reference's pixels at one sample, with light sampling") { requireSameScenes(80, true); }
+
+TEST_CASE(
+    "a room under lights of a tree has the reference's pixels and, at more samples, those of lights chosen by power",
+    "[swiftshader-slow]") {
+  const scene::Scene scene = test::litRoom(120, 7);
+  render::RenderSettings settings = squareSettings(80, 1);
+  settings.image.lights = render::LightSelection::tree;
+  requireSamePixels(scene, settings);
+  settings.image.sampleCount = 256;
+  const double byTree = meanLuminance(renderOnDevice(scene, settings).film);
+  settings.image.lights = render::LightSelection::power;
+  CHECK(byTree == Approx(meanLuminance(renderOnDevice(scene, settings).film)).epsilon(0.01));
+}
 
 TEST_CASE("every scene has the reference's pixels at one sample, without light sampling", "[swiftshader-slow]") {
   requireSameScenes(80, false);

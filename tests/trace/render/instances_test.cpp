@@ -173,6 +173,12 @@ TEST_CASE("instances have the film of copies with every kernel and integrator") 
     settings.execution.segmentsPerDispatch = 1;
     requireFilmOfCopies(plain, settings, 8);
   }
+  SECTION("with a light tree") {
+    settings.image.lights = render::LightSelection::tree;
+    Looks glowing = texturedLooks();
+    glowing.front().emission = {3, 2, 1};
+    requireFilmOfCopies(ballsOf(glowing, 3), settings, 6);
+  }
   SECTION("without next-event estimation, one-sided") {
     settings.image.nextEventEstimation = false;
     settings.image.oneSided = true;

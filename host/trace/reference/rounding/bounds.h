@@ -33,6 +33,8 @@ struct RoundingBounds {
   double surface = 18;          ///< relative, f and pdf of surfaces: energy, distribution and visibility
   double sheen = 6;             ///< relative, of the quotient that sheen raises to a power
   double film = 0.1;            ///< relative, per nanometre of a thin film: product with the frequency, sums
+  double importance = 14;       ///< relative, of a node of the light tree: squares, a division, products, the quotient
+  double importanceCosine = 8;  ///< of a unit vector's product with another one, one of which was divided by its length
   double choice = 6;            ///< of a probability that a random number is compared with
   double lobeChoice = 14;       ///< of the probability of a surface's lobe: quotient of albedos
   double roughDirection = 16;   ///< of a direction sampled by microfacets, per axis, times alpha, besides `frame`
