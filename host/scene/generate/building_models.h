@@ -22,7 +22,4 @@ const std::array<BuildingModel, kBuildingCount>& buildingModels();
 /// Returns a car of 4.3 m along the x axis: its body, and its windows and wheels.
 std::array<TriangleMesh, 2> carModel();
 
-/// Appends a box with edges along the axes.
-void appendBox(TriangleMesh& mesh, const glm::dvec3& low, const glm::dvec3& high);
-
 }  // namespace candela::generate

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/scene/generate/city_plan.h"
+#include "host/scene/generate/flat_shapes.h"
 #include "host/scene/generate/gltf_material.h"
 #include "host/scene/generate/gltf_scenes.h"
 #include "host/scene/generate/rotation.h"
