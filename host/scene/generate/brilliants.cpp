@@ -121,13 +121,6 @@ void addRing(int lamps, double radius, double height, double halfWidth, double h
   }
 }
 
-GltfDocument::Json lampMaterial() {
-  GltfDocument::Json material = gltfMaterial({.colour = dvec3(0)});
-  material["emissiveFactor"] = {1, 1, 1};
-  material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", 25}};
-  return material;
-}
-
 }  // namespace
 
 std::uint64_t brilliantsPrimitives(std::uint32_t size) {
@@ -148,7 +141,7 @@ void writeBrilliants(NffWriter& out, std::uint32_t size) {
   addRing(kHighLamps, 3.4, 9, 0.6, 0.6, lamps);
   addLamp({-9, 4, -6}, 2.2, 1.2, lamps);
   addLamp({9, 3, 4}, 1, 2, lamps);
-  const std::size_t lamp = document.addMaterial(lampMaterial());
+  const std::size_t lamp = document.addMaterial(gltfMaterial({.colour = dvec3(0), .emission = dvec3(25)}));
   document.addNode(document.addShape(lamps.mesh()), lamp, dvec3(0));
   document.addCamera({0, 6.1, 7.1}, {0, 0.55, 0}, 19, 2.4);
   out.text(document.text());

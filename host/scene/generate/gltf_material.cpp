@@ -1,12 +1,14 @@
 // Writes only the extensions that a material uses.
 #include "host/scene/generate/gltf_material.h"
 
+#include <algorithm>
+
 namespace candela::generate {
 
 GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
-  const glm::dvec3& colour = factors.colour;
+  const glm::dvec3& base = factors.colour;
   GltfDocument::Json material;
-  material["pbrMetallicRoughness"] = {{"baseColorFactor", {colour.x, colour.y, colour.z, 1}},
+  material["pbrMetallicRoughness"] = {{"baseColorFactor", {base.x, base.y, base.z, 1}},
                                       {"metallicFactor", factors.metalness},
                                       {"roughnessFactor", factors.roughness}};
   GltfDocument::Json extensions;
@@ -42,6 +44,12 @@ GltfDocument::Json gltfMaterial(const MaterialFactors& factors) {
     const glm::dvec3 &eta = factors.eta, &kappa = factors.kappa;
     extensions["CANDELA_materials_conductor"] = {{"ior", {eta.x, eta.y, eta.z}},
                                                  {"extinction", {kappa.x, kappa.y, kappa.z}}};
+  }
+  if (factors.emission != glm::dvec3(0)) {
+    const double strength = std::max({factors.emission.x, factors.emission.y, factors.emission.z});
+    const glm::dvec3 colour = factors.emission / strength;  // a factor is at most 1
+    material["emissiveFactor"] = {colour.x, colour.y, colour.z};
+    extensions["KHR_materials_emissive_strength"] = {{"emissiveStrength", strength}};
   }
   if (!extensions.empty()) material["extensions"] = extensions;
   return material;

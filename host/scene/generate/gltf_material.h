@@ -25,6 +25,7 @@ struct MaterialFactors {
   double anisotropyRotation = 0;   ///< in radians
   glm::dvec3 attenuation{1};       ///< colour that is left after `attenuationDistance`
   double attenuationDistance = 0;  ///< 0: nothing is absorbed
+  glm::dvec3 emission{0};          ///< radiance
 };
 
 /// Returns the JSON object.

@@ -42,7 +42,17 @@ void NffWriter::surface(const Surface& surface) {
   line("f", {colour.x, colour.y, colour.z, surface.kd, surface.ks, phongExponent(surface), surface.t, surface.ior});
 }
 
+void NffWriter::diffuse(const glm::dvec3& colour) { surface({colour, 1, 0, 0, 0, 1}); }
+
+void NffWriter::emitter(const glm::dvec3& radiance) {
+  line("f", {0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, radiance.x, radiance.y, radiance.z});
+}
+
 void NffWriter::sphere(const glm::dvec3& centre, double radius) { line("s", {centre.x, centre.y, centre.z, radius}); }
+
+void NffWriter::box(const glm::dvec3& low, const glm::dvec3& high) {
+  line("box", {low.x, low.y, low.z, high.x, high.y, high.z});
+}
 
 void NffWriter::cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& apex, double apexRadius) {
   line("c", {base.x, base.y, base.z, baseRadius, apex.x, apex.y, apex.z, apexRadius});

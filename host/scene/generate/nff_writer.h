@@ -51,7 +51,13 @@ class NffWriter {
   /// Writes a parallelogram that emits `radiance`; u x v is its normal.
   void areaLight(const glm::dvec3& corner, const glm::dvec3& u, const glm::dvec3& v, const glm::dvec3& radiance);
   void surface(const Surface& surface);
+  /// Writes a diffuse material of this colour.
+  void diffuse(const glm::dvec3& colour);
+  /// Writes a black material that emits `radiance`.
+  void emitter(const glm::dvec3& radiance);
   void sphere(const glm::dvec3& centre, double radius);
+  /// Writes an axis-aligned box.
+  void box(const glm::dvec3& low, const glm::dvec3& high);
   void cone(const glm::dvec3& base, double baseRadius, const glm::dvec3& apex, double apexRadius);
   void polygon(std::span<const glm::dvec3> vertices);
   /// Writes a polygon around the z axis at height z, with its front above.

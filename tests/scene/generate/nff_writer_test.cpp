@@ -24,6 +24,9 @@ TEST_CASE("statements are written in the documented form with six digits") {
   CHECK(textOf([](NffWriter& out) { out.sphere({1.0 / 3, -2e6, 1e-7}, 0.5); }) == "s 0.333333 -2e+06 1e-07 0.5\n");
   CHECK(textOf([](NffWriter& out) { out.cone({0, 0, 0}, 1, {0, 0, 2}, 0.5); }) == "c 0 0 0 1 0 0 2 0.5\n");
   CHECK(textOf([](NffWriter& out) { out.light({1, 2, 3}); }) == "l 1 2 3\n");
+  CHECK(textOf([](NffWriter& out) { out.box({-1, 0, 0.5}, {1, 2, 3}); }) == "box -1 0 0.5 1 2 3\n");
+  CHECK(textOf([](NffWriter& out) { out.diffuse({0.1, 0.2, 0.3}); }) == "f 0.1 0.2 0.3 1 0 100000 0 1\n");
+  CHECK(textOf([](NffWriter& out) { out.emitter({4, 5, 6}); }) == "f 0 0 0 1 0 0 0 0 1 0 1 4 5 6\n");
   CHECK(textOf([](NffWriter& out) { out.background({0, 0.5, 1}); }) == "b 0 0.5 1\n");
   CHECK(textOf([](NffWriter& out) {
           out.areaLight({0, 0, 3}, {1, 0, 0}, {0, -1, 0}, {7, 8, 9});
