@@ -5,6 +5,7 @@
 
 #include "host/scene/generate/databases.h"
 #include "host/scene/generate/gltf_scenes.h"
+#include "host/scene/generate/many_lights.h"
 
 namespace candela::generate {
 
@@ -18,7 +19,7 @@ std::uint32_t Kind::maxSize() const {
 std::span<const Kind> kindTable() {
   // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
   // 70,000 and 20,000 triangles.
-  static constexpr std::array<Kind, 21> table{{
+  static constexpr std::array<Kind, 24> table{{
       {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -47,6 +48,10 @@ std::span<const Kind> kindTable() {
        writeForest, true, 50'000},
       {"city", "glTF: streets of buildings, instances of five models, for --env", 1, 1000, cityPrimitives, writeCity,
        true, 50'000},
+      {"corridor", "N lamps of unequal power in a corridor and rooms beside it", 1, 1000, corridorPrimitives,
+       writeCorridor},
+      {"office", "open-plan office, N equal light panels", 1, 100, officePrimitives, writeOffice},
+      {"floodlights", "N equal lamps, far away from a small stage", 1, 1000, floodlightsPrimitives, writeFloodlights},
   }};
   return table;
 }

@@ -42,7 +42,7 @@ TEST_CASE("an unknown kind is refused with the most similar kind, or with all ki
   const ProgramResult far = runCandela({"generate", "cathedral"});
   CHECK(far.exitCode == 1);
   CHECK(contains(far.err, "unknown kind cathedral; expected balls, mount, "));
-  CHECK(contains(far.err, " or city\n"));
+  CHECK(contains(far.err, " or floodlights\n"));
 }
 
 TEST_CASE("a scene is not written under the name of another format") {
