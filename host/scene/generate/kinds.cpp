@@ -19,7 +19,7 @@ std::uint32_t Kind::maxSize() const {
 std::span<const Kind> kindTable() {
   // The default sizes are those of the original programs. Those of terrain, sphere and cornell give about a million,
   // 70,000 and 20,000 triangles.
-  static constexpr std::array<Kind, 24> table{{
+  static constexpr std::array<Kind, 25> table{{
       {"balls", "sphereflake: each ball has nine smaller balls", 1, 4, ballsPrimitives, writeBalls},
       {"mount", "fractal mountain of triangles, and four glass balls", 1, 6, mountPrimitives, writeMount},
       {"tetra", "Sierpinski's tetrahedron of triangles", 1, 6, tetraPrimitives, writeTetra},
@@ -50,6 +50,7 @@ std::span<const Kind> kindTable() {
        true, 50'000},
       {"corridor", "N lamps of unequal power in a corridor and rooms beside it", 1, 1000, corridorPrimitives,
        writeCorridor},
+      {"street", "glTF: streets at night, N emissive triangles", 2, 10'000, streetPrimitives, writeStreet, true},
       {"office", "open-plan office, N equal light panels", 1, 100, officePrimitives, writeOffice},
       {"floodlights", "N equal lamps, far away from a small stage", 1, 1000, floodlightsPrimitives, writeFloodlights},
   }};

@@ -1,5 +1,5 @@
 // The generators of scenes with many lights, for judging how a renderer chooses among them: for each kind, its number
-// of primitives and its content. The size is the number of lamps.
+// of primitives and its content. The size is the number of lamps, or of emissive triangles where that is said.
 #pragma once
 #include <cstdint>
 
@@ -11,6 +11,10 @@ namespace candela::generate {
 /// rectangles of two triangles. The power of the lamps differs by a factor of up to 4096.
 std::uint64_t corridorPrimitives(std::uint32_t size);
 void writeCorridor(NffWriter& out, std::uint32_t size);
+
+/// Streets at night, glTF: `size` emissive triangles of windows, signs with textures, street lamps and cars.
+std::uint64_t streetPrimitives(std::uint32_t size);
+void writeStreet(NffWriter& out, std::uint32_t size);
 
 /// An open-plan office below equal panels of two triangles each.
 std::uint64_t officePrimitives(std::uint32_t size);

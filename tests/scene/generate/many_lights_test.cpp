@@ -47,6 +47,12 @@ TEST_CASE("the corridor has as many lamps as its size, of which every fifth is a
   }
 }
 
+TEST_CASE("the street has as many emissive triangles as its size") {
+  for (const std::uint32_t size : {2u, 3u, 5u, 17u, 255u, 256u, 257u, 258u, 10'000u, 10'239u, 10'240u, 10'243u}) {
+    checkLights("street", size, {0, size});
+  }
+}
+
 TEST_CASE("the office has as many panels of two triangles as its size") {
   for (const std::uint32_t size : {1u, 2u, 16u, 17u, 99u, 100u, 101u, 1023u})
     checkLights("office", size, {0, 2 * size});
@@ -66,6 +72,11 @@ TEST_CASE("the power of the corridor's lamps spreads over more than three orders
     octaves[static_cast<std::size_t>(octave)] += emitter.isSphere ? 2 : 1;
   }
   for (const int count : octaves) CHECK(count == Approx(8000 / 12).epsilon(0.2));
+}
+
+TEST_CASE("the emitters of the street differ in power by more than a thousand") {
+  const auto [least, most] = powerRange(emittersOf(generatedScene("street", 10'000).scene));
+  CHECK(most > 1000 * least);
 }
 
 TEST_CASE("the panels of the office, and the floodlights, have equal power") {
