@@ -1,5 +1,6 @@
 // State shared by the statements of a scene file while it is read: the text, the scene so far, the current material.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -35,8 +36,9 @@ struct Parser {
   std::filesystem::path folder;
   LoadOptions options;
   PathGuard guard;
-  std::optional<std::uint32_t> material;  ///< index of the current material
-  Position keyword;                       ///< position of the current statement's keyword
+  std::optional<std::uint32_t> material;                        ///< index of the current material
+  std::map<std::array<float, 3>, std::uint32_t> lampMaterials;  ///< of area lights, by colour
+  Position keyword;                                             ///< position of the current statement's keyword
 
   /// Reports a deviation from the format that can be ignored: an error, or a warning of this kind with `lenient`.
   void deviation(const std::string& kind, Position position, const std::string& message);

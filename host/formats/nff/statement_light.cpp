@@ -21,6 +21,14 @@ glm::vec3 readColour(Parser& parser) {
   return colour;
 }
 
+/// Returns the material of area lights of a colour, which they share.
+std::uint32_t lampMaterial(Parser& parser, const glm::vec3& colour) {
+  const auto next = static_cast<std::uint32_t>(parser.scene.materials.size());
+  const auto [found, isNew] = parser.lampMaterials.try_emplace({colour.x, colour.y, colour.z}, next);
+  if (isNew) parser.scene.materials.push_back(fromNff({.diffuse = {0, 0, 0}, .emission = colour}));
+  return found->second;
+}
+
 /// Adds a black parallelogram whose radiance is the colour.
 void addAreaLight(Parser& parser, const glm::vec3& corner, const glm::vec3& u, const glm::vec3& v,
                   const glm::vec3& colour) {
@@ -31,8 +39,7 @@ void addAreaLight(Parser& parser, const glm::vec3& corner, const glm::vec3& u, c
   if (glm::cross(glm::dvec3(u), glm::dvec3(v)) == glm::dvec3(0)) {
     StatementReader::fail(parser.keyword, "the area light has no area: its edges are parallel");
   }
-  parser.scene.materials.push_back(fromNff({.diffuse = {0, 0, 0}, .emission = colour}));
-  addParallelogram(parser.scene, corner, u, v, static_cast<std::uint32_t>(parser.scene.materials.size() - 1));
+  addParallelogram(parser.scene, corner, u, v, lampMaterial(parser, colour));
 }
 
 void parsePunctual(Parser& parser) {

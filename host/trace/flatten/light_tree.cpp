@@ -140,13 +140,16 @@ using Bins = std::array<Sums, kBins>;
 struct Split {
   double cost;
   int axis;
-  std::uint32_t bin;  // the last one of the lower side
+  std::uint32_t bin;    // the last one of the lower side
+  std::uint32_t lower;  // number of leaves there
 };
 
 class Builder {
  public:
   explicit Builder(std::vector<LightNode> leaves) : leaves_(std::move(leaves)), order_(leaves_.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
+    axes_.reserve(leaves_.size());
+    for (const LightNode& leaf : leaves_) axes_.push_back(unpackDirection(leaf.axis));
   }
 
   LightTree build(std::span<LightEntry> table) {
@@ -154,6 +157,7 @@ class Builder {
     inner_.resize(count - 1);
     trails_.resize(count);
     if (count > 1) buildNode(0, count, 0, 0, 0);
+    axes_ = {};
     for (std::uint32_t i = 0; i < count; ++i) table[leaves_[i].next].trail = trails_[i];
     std::vector<LightNode> ordered;
     ordered.reserve(count);
@@ -172,8 +176,8 @@ class Builder {
 
   const LightNode& leaf(std::uint32_t position) const { return leaves_[order_[position]]; }
 
-  dvec3 axisOf(const LightNode& leaf, const Range& range) const {
-    const dvec3 axis = unpackDirection(leaf.axis);
+  dvec3 axisOf(std::uint32_t position, const Range& range) const {
+    const dvec3& axis = axes_[order_[position]];
     return range.isTwoSided && glm::dot(axis, range.firstAxis) < 0 ? -axis : axis;
   }
 
@@ -181,7 +185,7 @@ class Builder {
 
   Range rangeOf(std::uint32_t begin, std::uint32_t end) const {
     Range range{
-        begin, end, false, unpackDirection(leaf(begin).axis), dvec3(leaf(begin).centre), dvec3(leaf(begin).centre)};
+        begin, end, false, axes_[order_[begin]], dvec3(leaf(begin).centre), dvec3(leaf(begin).centre)};
     for (std::uint32_t i = begin; i < end; ++i) {
       range.isTwoSided |= (leaf(i).axis & gpu::kLightNodeTwoSided) != 0;
       range.low = glm::min(range.low, dvec3(leaf(i).centre));
@@ -200,7 +204,7 @@ class Builder {
       const LightNode& one = leaf(i);
       power += one.power;
       radius = std::max(radius, glm::length(dvec3(one.centre) - dvec3(node.centre)) + one.radius);
-      axes += axisWeight(one) * axisOf(one, range);
+      axes += axisWeight(one) * axisOf(i, range);
       flags |= one.axis & (gpu::kLightNodeCosine | gpu::kLightNodeTwoSided);
     }
     node.power = rounded(power);
@@ -210,7 +214,7 @@ class Builder {
     node.axis = stored | flags;
     node.cosine = 1;
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
-      node.cosine = std::min(node.cosine, widened(leaf(i).cosine, axisOf(leaf(i), range), axis));
+      node.cosine = std::min(node.cosine, widened(leaf(i).cosine, axisOf(i, range), axis));
     }
     return node;
   }
@@ -225,7 +229,7 @@ class Builder {
     for (std::uint32_t i = range.begin; i < range.end; ++i) {
       const LightNode& one = leaf(i);
       const dvec3 centre(one.centre);
-      const Sums sums{1, one.power, axisWeight(one) * axisOf(one, range), centre, centre, one.radius};
+      const Sums sums{1, one.power, axisWeight(one) * axisOf(i, range), centre, centre, one.radius};
       for (int axis = 0; axis < 3; ++axis) {
         if (range.high[axis] > range.low[axis]) bins[axis][binOf(one, range, axis)].add(sums);
       }
@@ -244,7 +248,7 @@ class Builder {
       lower.add(bins[bin]);
       if (lower.count == 0 || upper[bin].count == 0) continue;
       const double cost = (lower.cost() + upper[bin].cost()) * stretch;
-      if (!best || cost < best->cost) best = Split{cost, axis, bin};
+      if (!best || cost < best->cost) best = Split{cost, axis, bin, lower.count};
     }
   }
 
@@ -260,7 +264,7 @@ class Builder {
     if (best) {
       const auto isLower = [&](std::uint32_t one) { return binOf(leaves_[one], range, best->axis) <= best->bin; };
       const auto first = order_.begin() + range.begin, last = order_.begin() + range.end;
-      const auto lower = static_cast<std::uint32_t>(std::count_if(first, last, isLower));
+      const std::uint32_t lower = best->lower;
       const std::uint32_t upper = range.end - range.begin - lower;
       if (std::max(lower, upper) <= 1u << (kMaxDepth - 1 - depth)) {
         std::stable_partition(first, last, isLower);
@@ -290,6 +294,7 @@ class Builder {
   }
 
   std::vector<LightNode> leaves_;  // in the order of the light table
+  std::vector<dvec3> axes_;        // of the leaves
   std::vector<std::uint32_t> order_;
   std::vector<LightNode> inner_;
   std::vector<std::uint32_t> trails_;
