@@ -25,7 +25,8 @@ chooses them alone.
 gpu_compilers.json has the figures, one line for each kernel: occupancy, spills to memory, spills to registers, registers,
 instructions, or null where the driver does not report one. Its first key is the version of Mesa, because each has other
 compilers; with a version that is not recorded, nothing is compared. A kernel is worse if its occupancy falls at all, or if spills or
-instructions rise by more than --threshold, or from zero. `record` adds figures, but replaces them only with --replace.
+instructions rise by more than --threshold, or from zero. `record` adds figures, but replaces them only with --replace. It changes no
+figures of other GPUs than --gpus chooses, and none of other scenes than --cases chooses.
 --reports FOLDER keeps what was reported; with --reuse, it is read from there and nothing is compiled.
 
 `table` prints the tables of docs/kernels.md.
@@ -308,6 +309,11 @@ def figures_of(result):
             for name in result["recorded"] for row in result["cases"].get(name) or []}
 
 
+def chosen_rows(rows, options):
+    """The rows of the scenes that --cases chooses."""
+    return {name: row for name, row in rows.items() if re.search(options.cases, name.rsplit(": ", 1)[0])}
+
+
 def changes(old, new, threshold):
     """[(figure, old value, new value, whether it is worse)] of one kernel."""
     found = []
@@ -328,10 +334,9 @@ def compare(recorded, reports, options):
     """Prints what changed. Returns the number of kernels that became worse or are missing on either side."""
     problems = compared = 0
     for gpu, result in reports.items():
-        old, new = recorded.get(gpu, {}), figures_of(result)
-        names = [name for name in old if re.search(options.cases, name.rsplit(": ", 1)[0])]
+        old, new = (chosen_rows(rows, options) for rows in (recorded.get(gpu, {}), figures_of(result)))
         failed = {name for name, rows in result["cases"].items() if rows is None}  # already printed
-        for name in names:
+        for name in old:
             if name in new:
                 compared += 1
                 found = changes(old[name], new[name], options.threshold)
@@ -391,12 +396,13 @@ def record(options, reports):
     baseline = load_baseline()
     recorded = baseline.setdefault(version, {})
     for gpu, result in reports.items():
-        new = figures_of(result)
-        changed = [name for name, row in recorded.get(gpu, {}).items() if new.get(name) != row]
+        all_rows = recorded.get(gpu, {})
+        old, new = (chosen_rows(rows, options) for rows in (all_rows, figures_of(result)))
+        changed = [name for name, row in old.items() if new.get(name) != row]
         if changed and not options.replace:
             print(f"{gpu}: these figures would change or go; nothing is recorded without --replace:", *changed, sep="\n  ")
             return 1
-        recorded[gpu] = new
+        recorded[gpu] = {name: row for name, row in all_rows.items() if name not in old or name in new} | new
     BASELINE.write_text(baseline_text(baseline))
     print(f"Mesa {version}: {sum(map(len, recorded.values()))} kernels on {len(recorded)} GPUs")
     return 0

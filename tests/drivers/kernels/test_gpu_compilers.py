@@ -104,6 +104,23 @@ class Record(unittest.TestCase):
         code, _, recorded = run(gpu_compilers.record, reports, baseline(), replace=True)
         self.assertEqual((code, recorded), (0, baseline([0.5, 0, None, 100, 900])))
 
+    def test_figures_of_other_scenes_and_gpus_are_kept(self):
+        other, new = [0.5, 0, None, 100, 800], [0.5, 0, None, 100, 900]
+        old = {"navi21": {"b.p3f: megakernel": other, "a.p3f: megakernel": FIGURES, "a.p3f: gone": FIGURES},
+               "m1": {"a.p3f: megakernel": other}}
+        reports = {"navi21": report([row(new)])}
+        code, _, recorded = run(gpu_compilers.record, reports, {"26.2.6": old}, cases="^a", replace=True)
+        expected = old | {"navi21": {"b.p3f: megakernel": other, "a.p3f: megakernel": new}}
+        self.assertEqual((code, recorded), (0, {"26.2.6": expected}))
+        code, _, recorded = run(gpu_compilers.record, reports, {"26.2.6": old}, replace=True)
+        expected["navi21"] = {"a.p3f: megakernel": new}
+        self.assertEqual((code, recorded), (0, {"26.2.6": expected}))
+
+    def test_only_the_figures_of_chosen_scenes_are_added(self):
+        reports = {"navi21": report([row()])}
+        code, _, recorded = run(gpu_compilers.record, reports, baseline(name="b.p3f: megakernel"), cases="^b", replace=True)
+        self.assertEqual((code, recorded), (0, {"26.2.6": {"navi21": {}}}))
+
     def test_nothing_is_recorded_if_a_scene_or_a_case_failed(self):
         code, _, recorded = run(gpu_compilers.record, {"navi21": report(None)}, {})
         self.assertEqual((code, recorded), (1, {}))
