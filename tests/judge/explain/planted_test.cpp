@@ -126,7 +126,7 @@ TEST_CASE("a different material of a primitive is reported as such") {
   requireFirst([](const render::VertexTrace& v) { return sees(v, kShiny); },
                [](scene::Scene& scene, render::RenderSettings&) {
                  std::vector<scene::Primitive> primitives(scene.primitives.begin(), scene.primitives.end());
-                 primitives[kShiny].material = 3;
+                 primitives.at(kShiny).material = 3;
                  scene.primitives = scene::PrimitiveList(primitives);
                },
                "vertex 1", "material");
