@@ -63,8 +63,8 @@ TEST_CASE("a wrong regular expression is an error with its line") {
 TEST_CASE("the baselines that are shipped name cases that exist") {
   Cases cases = allCases();
   std::ranges::move(variantCases(), std::back_inserter(cases));
-  for (const char* const file : {"lavapipe-22.3.6-fails.txt", "lavapipe-25.0.7-fails.txt", "lavapipe-26.2.6-fails.txt",
-                                 "swiftshader-fails.txt"}) {
+  for (const char* const file : {"lavapipe-22.3.6-fails.txt", "lavapipe-25.0.7-fails.txt", "lavapipe-26.1.6-fails.txt",
+                                 "lavapipe-26.2.6-fails.txt", "swiftshader-fails.txt"}) {
     const Baseline baseline = readBaseline(std::string(kBaselines) + file);
     CHECK_FALSE(baseline.empty());
     for (const auto& [name, status] : baseline) {
