@@ -153,6 +153,17 @@ TEST_CASE("an area light in each of its forms is two emitting black triangles") 
   CHECK(sceneOf("la 0 0 0 1 0 0 0 1 0\n").materials.at(0).emission == glm::vec3(1));
 }
 
+TEST_CASE("area lights of one colour share a material, whatever is between them") {
+  const Scene scene = sceneOf(
+      "al 0 0 0 1 0 0 0 1 0 1 2 3\nf 1 0 0 1 0 1 0 1\ns 0 0 0 1\nal 9 0 0 1 0 0 0 1 0 1 2 3\n"
+      "al 18 0 0 1 0 0 0 1 0 3 2 1\n");
+  REQUIRE(scene.primitives.size() == 7);
+  CHECK(scene.materials.size() == 3);
+  CHECK(scene.primitives[3].material == scene.primitives[0].material);
+  CHECK(scene.materials[scene.primitives[5].material].emission == glm::vec3(3, 2, 1));
+  CHECK(scene.primitives[2].material != scene.primitives[0].material);
+}
+
 TEST_CASE("an area light does not change the current material") {
   const Scene scene = sceneOf("f 1 0 0 1 0 1 0 1\nal 0 0 0 1 0 0 0 1 0 1 1 1\ns 0 0 0 1\n");
   CHECK(scene.materials.at(scene.primitives.back().material).diffuse->colour == glm::vec3(1, 0, 0));
