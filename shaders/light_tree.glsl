@@ -8,10 +8,11 @@
 // The point for which a light is chosen, and what its surface receives.
 struct LightReceiver {
   vec3 position;
-  uint word;  // its stored normal, and kReceiverTransmits
+  vec3 normal;
+  bool transmits;  // its material can scatter light to the other side
 };
 
-const uint kReceiverTransmits = 1u << 30;  // its material can scatter light to the other side
+const uint kReceiverTransmits = 1u << 30;
 const float kNormalSlack = 1.0 / 2048.0;
 const float kMinBranch = 1.0 / 65536.0;
 const float kTwoTo32 = 4294967296.0;
@@ -41,6 +42,11 @@ vec3 unpackDirection(uint word) {
   return unit(vec3(z < 0.0 ? folded(p) : p, z));
 }
 
+// Returns the receiver at a point with the word of a stored normal and kReceiverTransmits.
+LightReceiver receiverAt(vec3 position, uint word) {
+  return LightReceiver(position, unpackDirection(word), (word & kReceiverTransmits) != 0u);
+}
+
 // `index` counts leaves, or with `isLeaf` false, inner nodes.
 LightNode loadLightNode(uint index, bool isLeaf, uint leaves) {
   uint row = constants.firstLightTreeRow + kLightTreeHeaderRows + kLightNodeRows * (isLeaf ? index : leaves + index);
@@ -63,15 +69,16 @@ float lightImportance(LightNode node, LightReceiver receiver) {
   float radiusSquared = node.radius * node.radius;
   float importance = node.power / max(max(squared, radiusSquared), 5.421010862427522e-20);  // 2^-64
   if (squared <= radiusSquared) return importance;
-  vec3 w = toPoint / sqrt(squared);
-  float sineSquared = radiusSquared / squared;
-  vec2 spread = vec2(sqrt(1.0 - sineSquared), sqrt(sineSquared));
+  float inverse = 1.0 / sqrt(squared);
+  vec3 w = toPoint * inverse;
+  float sine = min(node.radius * inverse, 1.0);
+  vec2 spread = vec2(sqrt(1.0 - sine * sine), sine);
   float towards = dot(unpackDirection(node.axis), w);
   if ((node.axis & kLightNodeTwoSided) != 0u) towards = abs(towards);
   vec2 emitted = angleBeyond(angleBeyond(withSine(towards), withSine(node.cosine)), spread);
   if (emitted.x < ((node.axis & kLightNodeCosine) != 0u ? 0.0 : 1.0)) return 0.0;
-  float against = -dot(unpackDirection(receiver.word), w);
-  if ((receiver.word & kReceiverTransmits) != 0u) against = abs(against);
+  float against = -dot(receiver.normal, w);
+  if (receiver.transmits) against = abs(against);
   float received = angleBeyond(withSine(against), spread).x + kNormalSlack;
   return importance * emitted.x * max(0.0, received);
 }

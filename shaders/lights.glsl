@@ -134,23 +134,25 @@ float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {
   return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
 }
 
-// Chooses a light for a vertex at this depth by a 24-bit number, and by the numbers of the light tree if there is one.
-LightChoice chooseLight(LightReceiver receiver, uint k, SampleKey key, uint depth, inout uint truncated) {
+// Chooses a light for a vertex at this depth, with the word of receiverAt(), by a 24-bit number, and by the numbers of
+// the light tree if there is one.
+LightChoice chooseLight(vec3 position, uint receiver, uint k, SampleKey key, uint depth, inout uint truncated) {
   if (kHasLightTree && k < sceneRow(constants.firstLightTreeRow).x) {
-    return walkLightTree(receiver, false, 0u, key, depth, truncated);
+    return walkLightTree(receiverAt(position, receiver), false, 0u, key, depth, truncated);
   }
   uint entry = entryChosenBy(k, truncated);
   return LightChoice(entry, loadLight(entry).probability);
 }
 
-// Returns an emitter that a ray from this receiver hit, with the probability with which it would have been chosen there.
-Light emitterFound(Surface emitter, LightReceiver receiver, inout uint truncated) {
+// Returns an emitter that a ray hit, with the probability with which it would have been chosen at the receiver where the
+// ray starts.
+Light emitterFound(Surface emitter, vec3 position, uint receiver, inout uint truncated) {
   Light light = loadLight(emitter.light - 1u);
   if (kHasLightTree) {
     uint trail = floatBitsToUint(light.probability);
     light.probability = 0.0;
     if (trail != kNoTrail) {
-      light.probability = walkLightTree(receiver, true, trail, SampleKey(0u, 0u, 0u, 0u), 1u, truncated).probability;
+      light.probability = walkLightTree(receiverAt(position, receiver), true, trail, SampleKey(0u, 0u, 0u, 0u), 1u, truncated).probability;
     }
   }
   return light;

@@ -20,7 +20,7 @@ struct Path {
   vec3 radiance;
   uint depth;       // of the ray, 1 for the camera ray; 0: the sample has not started
   uint volume;      // number of the volume that the ray is in; 0: none
-  uint receiver;    // word of the LightReceiver at which the ray starts, if the scene has a light tree
+  uint receiver;    // word of receiverAt() for the origin of the ray, if the scene has a light tree
 };
 
 // Decisions of a segment, for comparison with another tracer.
@@ -56,7 +56,7 @@ vec3 emissionFound(Path path, Surface surface, vec3 emission, float t, inout Wor
   if (kOneSided && isKind(surface.kind, kKindTriangle) && fromBehind) return vec3(0.0);
   float weight = 1.0;
   if (kHasSampledEmitters && path.pdf > 0.0 && surface.light != 0u) {
-    Light light = emitterFound(surface, LightReceiver(path.ray.origin, path.receiver), work.truncated);
+    Light light = emitterFound(surface, path.ray.origin, path.receiver, work.truncated);
     weight = powerHeuristic(path.pdf, lightPdf(light, path.ray, surface, t));
   }
   noteEmission(emission, weight);
@@ -98,7 +98,7 @@ LightSample sampleAnyLight(Light light, Surface surface, uvec4 numbers, SampleKe
   return sampleLight(light, surface, toUnit(numbers).yz);
 }
 
-// Returns the word of the LightReceiver of a vertex.
+// Returns the word that makes a LightReceiver of a vertex.
 uint receiverWord(Shading shading, Material material) {
   vec3 normal = shading.frame[2];
   if (kHasNormalMaps && shading.facets.exist) normal = shading.outside ? shading.outward : -shading.outward;
@@ -109,8 +109,7 @@ uint receiverWord(Shading shading, Material material) {
 // finds whether it is visible. `numbers` are those of the light choice and the three that follow.
 void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading, Material material,
            uvec4 numbers, inout Work work) {
-  LightReceiver receiver = LightReceiver(surface.position, path.receiver);
-  LightChoice choice = chooseLight(receiver, numbers.x >> 8, key, path.depth, work.truncated);
+  LightChoice choice = chooseLight(surface.position, path.receiver, numbers.x >> 8, key, path.depth, work.truncated);
   Light light = loadLight(choice.light);
   if (kHasLightTree) light.probability = choice.probability;
   noteLightChoice(choice.light);

@@ -55,10 +55,11 @@ void add(Extent3&, const Plane&) {}
 
 }  // namespace
 
-std::optional<Bounds> boundsOf(const Scene& scene) {
+std::optional<Bounds> boundsOf(const Scene& scene, const std::function<bool(const PrimitiveRun&)>& includes) {
   Extent3 extent;
   PlacedBounds placed(scene);
   for (const PrimitiveRun& run : scene.primitives.runs()) {
+    if (includes && !includes(run)) continue;
     if (run.start.isPlaced()) {
       const auto [min, max] = placed.of(run);
       extent.add(min), extent.add(max);

@@ -1,5 +1,6 @@
 // The box around everything in a scene that is bounded.
 #pragma once
+#include <functional>
 #include <optional>
 
 #include "host/scene/scene.h"
@@ -11,7 +12,8 @@ struct Bounds {
   glm::vec3 max;
 };
 
-/// Returns the bounds of all primitives except infinite planes; nothing if there are no others.
-std::optional<Bounds> boundsOf(const Scene& scene);
+/// Returns the bounds of all primitives except infinite planes, or of those of the runs that `includes` accepts;
+/// nothing if there are none.
+std::optional<Bounds> boundsOf(const Scene& scene, const std::function<bool(const PrimitiveRun&)>& includes = {});
 
 }  // namespace candela::scene

@@ -8,12 +8,11 @@
 #include "host/base/errors.h"
 #include "host/base/setting_words.h"
 #include "host/scene/film_scale.h"
+#include "host/trace/render/light_selection.h"
 #include "host/trace/render/setting_names.h"
 
 namespace candela::render {
 namespace {
-
-constexpr std::size_t kMinTreeLights = 1u << 30;
 
 AccelKind accelOf(const scene::Scene& scene) {
   if (scene.requestedAccel == scene::RequestedAccel::none) return AccelKind::none;
@@ -36,23 +35,11 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.image.maxDepth = request.maxDepth.value_or(defaultMaxDepth(settings.image.integrator));
   const bool isView = render::isView(settings.image.integrator);
   settings.image.filmScale = request.filmScale ? *request.filmScale : isView ? 0 : filmScaleOf(scene);
-  settings.image.lights = request.lights ? *request.lights : selectionFor(scene);
+  const bool hasLights = settings.image.integrator == Integrator::path;
+  settings.image.lights = request.lights.value_or(hasLights ? selectionFor(scene) : LightSelection::power);
   settings.structure.accel = request.accel.value_or(accelOf(scene));
   settings.structure.accelIsPreference = !request.accel;
   return settings;
-}
-
-LightSelection selectionFor(const scene::Scene& scene) {
-  std::size_t count = 0;
-  for (const scene::PunctualLight& light : scene.punctualLights) {
-    count += light.kind != scene::PunctualLight::Kind::directional;
-  }
-  for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
-    const bool isLight = run.start.kind == scene::PrimitiveKind::triangle ||
-                         run.start.kind == scene::PrimitiveKind::sphere;
-    if (isLight && isEmissive(scene.materials[run.start.material])) count += scene.primitives.countOf(run);
-  }
-  return count >= kMinTreeLights ? LightSelection::tree : LightSelection::power;
 }
 
 RenderRequest requestOf(const RenderSettings& settings) {

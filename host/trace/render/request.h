@@ -16,7 +16,7 @@ struct RenderRequest {
   std::optional<AccelKind> accel;          ///< default: BVH
   std::optional<std::uint32_t> maxDepth;   ///< default: defaultMaxDepth()
   std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
-  std::optional<LightSelection> lights;    ///< default: selectionFor()
+  std::optional<LightSelection> lights;    ///< default: selectionFor(), and power for other integrators than path
   ImageChoices image;
   StructureChoices structure;
   ExecutionSettings execution;
@@ -25,10 +25,6 @@ struct RenderRequest {
 /// Returns the settings of a render of `scene`, which must have a camera. An acceleration structure that only the scene
 /// requests is a preference: see StructureSettings::accelIsPreference.
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
-
-/// Returns how lights of a scene are chosen by default: by a tree if it has at least kMinTreeLights of the lights that
-/// a tree can have.
-LightSelection selectionFor(const scene::Scene& scene);
 
 /// Returns the request that has these settings with any scene.
 RenderRequest requestOf(const RenderSettings& settings);

@@ -16,17 +16,16 @@ void main() {
   if (i >= count) return;
   vec4 place = inputs[2u * i];
   vec4 facing = inputs[2u * i + 1u];
-  LightReceiver receiver = LightReceiver(
-      place.xyz, packDirection(facing.xyz) | (place.w != 0.0 ? kReceiverTransmits : 0u));
+  uint receiver = packDirection(facing.xyz) | (place.w != 0.0 ? kReceiverTransmits : 0u);
   uint truncated = 0u;
   if (task == kChoose) {
     SampleKey key = SampleKey(0u, uint(facing.w), 0u, 0u);
     uint k = sampleGroup(key, vertexGroup(1u, kDimensionLightChoice)).x >> 8;
-    LightChoice choice = chooseLight(receiver, k, key, 1u, truncated);
+    LightChoice choice = chooseLight(place.xyz, receiver, k, key, 1u, truncated);
     outputs[i] = vec4(float(choice.light), choice.probability, float(truncated), 0.0);
   } else {
     Surface emitter;
     emitter.light = uint(facing.w) + 1u;
-    outputs[i] = vec4(facing.w, emitterFound(emitter, receiver, truncated).probability, float(truncated), 0.0);
+    outputs[i] = vec4(facing.w, emitterFound(emitter, place.xyz, receiver, truncated).probability, float(truncated), 0.0);
   }
 }
