@@ -47,6 +47,9 @@ PICTURES_OF_PAGE = [
     Picture("city", "A city in the afternoon",
             "1,000 buildings with windows, balconies and cornices, instances of five models: 11 million triangles in a file of 5 MB.",
             "city", 96, size="480x270", options=["--env", "sun:22,235,3"]),
+    Picture("street", "A street at night",
+            "10,000 emissive triangles, signs with emissive textures among them. Lights are chosen by a tree; rendered on an Intel Xeon.",
+            "street", 192, size="480x270"),
     Picture("marbles", "Marbles through a wide lens",
             "The thin lens blurs everything that is not at the distance of the large marbles; glass focuses both lights on the floor.",
             "docs/gallery/marbles.p3f", 96, size="480x300"),
@@ -105,7 +108,7 @@ def is_generated(picture):
 
 
 def suffix_of(picture):
-    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants", "forest", "city")) else ".p3f"
+    return ".gltf" if picture.scene.startswith(("material", "still", "brilliants", "forest", "city", "street")) else ".p3f"
 
 
 def run(words):
