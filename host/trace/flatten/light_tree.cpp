@@ -184,8 +184,7 @@ class Builder {
   static double axisWeight(const LightNode& leaf) { return double{leaf.power} * (1 + double{leaf.cosine}) / 2; }
 
   Range rangeOf(std::uint32_t begin, std::uint32_t end) const {
-    Range range{
-        begin, end, false, axes_[order_[begin]], dvec3(leaf(begin).centre), dvec3(leaf(begin).centre)};
+    Range range{begin, end, false, axes_[order_[begin]], dvec3(leaf(begin).centre), dvec3(leaf(begin).centre)};
     for (std::uint32_t i = begin; i < end; ++i) {
       range.isTwoSided |= (leaf(i).axis & gpu::kLightNodeTwoSided) != 0;
       range.low = glm::min(range.low, dvec3(leaf(i).centre));
