@@ -54,6 +54,8 @@ class Changes {
     if (name == kAccel) return adoptStructure(value, render.setting(name));
     const FilmSetting* const setting = filmSettingNamed(name);
     if (setting == nullptr) return;
+    const bool hasValue = setting->unrecorded != nullptr && setting->wordsOfDefault == nullptr && !setting->isFlag;
+    if (value.empty() && hasValue) return use(name, setting->unrecorded);
     const bool isDefault = setting->wordsOfDefault != nullptr && value == setting->wordsOfDefault;
     if (value.empty() || isDefault || (setting->isFlag && value == "off"))
       return removed_.push_back(settingWords(name));

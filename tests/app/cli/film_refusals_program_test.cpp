@@ -49,6 +49,9 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
   CHECK_THAT(refusal(scene, {"--max-depth", "3"}), Contains("--max-depth is 64 in the film and 3"));
   CHECK_THAT(refusal(scene, {"--seed", "1", "--one-sided", "--time", "3"}),
              Contains("; use --seed 0, and leave out --one-sided and --time; --resume-anyway resumes nevertheless"));
+  // Films do not record the values that films of older versions have.
+  CHECK_THAT(refusal(scene, {"--lights", "tree", "--background", "none"}),
+             Contains("; use --background env --lights power; --resume-anyway"));
   CHECK_THAT(refusal(scene, {"--size", "24x36"}), Contains("--size is 48x36") && EndsWith("; use --size 48x36\n"));
   CHECK_THAT(refusal(scene, {"--size", "24x36", "--resume-anyway"}),
              Contains("an image of 48x36 pixels, and the render of one of 24x36; use --size 48x36"));
