@@ -135,13 +135,18 @@ float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {
 }
 
 // Chooses a light for a vertex at this depth, with the word of receiverAt(), by a 24-bit number, and by the numbers of
-// the light tree if there is one.
-LightChoice chooseLight(vec3 position, uint receiver, uint k, SampleKey key, uint depth, inout uint truncated) {
+// the light tree if there is one. `entry` becomes its index in the light table.
+Light chooseLight(vec3 position, uint receiver, uint k, SampleKey key, uint depth, out uint entry,
+                  inout uint truncated) {
   if (kHasLightTree && k < sceneRow(constants.firstLightTreeRow).x) {
-    return walkLightTree(receiverAt(position, receiver), false, 0u, key, depth, truncated);
+    LightChoice choice = walkLightTree(receiverAt(position, receiver), false, 0u, key, depth, truncated);
+    entry = choice.light;
+    Light light = loadLight(entry);
+    light.probability = choice.probability;
+    return light;
   }
-  uint entry = entryChosenBy(k, truncated);
-  return LightChoice(entry, loadLight(entry).probability);
+  entry = entryChosenBy(k, truncated);
+  return loadLight(entry);
 }
 
 // Returns an emitter that a ray hit, with the probability with which it would have been chosen at the receiver where the

@@ -29,8 +29,9 @@ CastRay diffuseRay(Surface surface, Normals normals, SampleKey key) {
 CastRay shadowRay(Surface surface, Normals normals, SampleKey key, inout Work work) {
   uvec4 numbers = sampleGroup(key, vertexGroup(1u, kDimensionLightChoice));
   uint receiver = packDirection(normals.geometric);
-  LightChoice choice = chooseLight(surface.position, receiver, numbers.x >> 8, key, 1u, work.truncated);
-  LightSample lit = sampleLight(loadLight(choice.light), surface, toUnit(numbers).yz);
+  uint entry;
+  Light light = chooseLight(surface.position, receiver, numbers.x >> 8, key, 1u, entry, work.truncated);
+  LightSample lit = sampleLight(light, surface, toUnit(numbers).yz);
   if (lit.pdf <= 0.0 || dot(lit.wi, normals.geometric) <= 0.0) return kNoRay;
   return CastRay(vec4(originBeside(surface, normals), lit.distance * (1.0 - 1.0 / 1024.0)), vec4(lit.wi, 0.0));
 }

@@ -109,10 +109,9 @@ uint receiverWord(Shading shading, Material material) {
 // finds whether it is visible. `numbers` are those of the light choice and the three that follow.
 void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Shading shading, Material material,
            uvec4 numbers, inout Work work) {
-  LightChoice choice = chooseLight(surface.position, path.receiver, numbers.x >> 8, key, path.depth, work.truncated);
-  Light light = loadLight(choice.light);
-  if (kHasLightTree) light.probability = choice.probability;
-  noteLightChoice(choice.light);
+  uint entry;
+  Light light = chooseLight(surface.position, path.receiver, numbers.x >> 8, key, path.depth, entry, work.truncated);
+  noteLightChoice(entry);
   LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth, work);
   float pdf;
   vec3 wi = lit.wi * shading.frame;

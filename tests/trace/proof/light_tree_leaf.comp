@@ -21,8 +21,9 @@ void main() {
   if (task == kChoose) {
     SampleKey key = SampleKey(0u, uint(facing.w), 0u, 0u);
     uint k = sampleGroup(key, vertexGroup(1u, kDimensionLightChoice)).x >> 8;
-    LightChoice choice = chooseLight(place.xyz, receiver, k, key, 1u, truncated);
-    outputs[i] = vec4(float(choice.light), choice.probability, float(truncated), 0.0);
+    uint entry;
+    Light light = chooseLight(place.xyz, receiver, k, key, 1u, entry, truncated);
+    outputs[i] = vec4(float(entry), light.probability, float(truncated), 0.0);
   } else {
     Surface emitter;
     emitter.light = uint(facing.w) + 1u;
