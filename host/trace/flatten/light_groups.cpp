@@ -88,10 +88,9 @@ double meanLuminance(const scene::Environment& environment) {
 
 // In units of pi.
 double fluxOf(const scene::Scene& scene, const LightEntry& entry, double squared) {
-  const double power = lightPower(scene, entry.kind, entry.index);
-  if (entry.isPoint()) return power * std::numbers::pi * squared;
-  if (entry.isEnvironment()) return power > 0 ? 4 * squared * meanLuminance(*scene.environment) : 0;
-  return power;
+  if (entry.isPoint()) return entry.power * std::numbers::pi * squared;
+  if (entry.isEnvironment()) return entry.power > 0 ? 4 * squared * meanLuminance(*scene.environment) : 0;
+  return entry.power;
 }
 
 }  // namespace

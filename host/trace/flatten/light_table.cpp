@@ -111,8 +111,8 @@ LightTable buildLightTable(const scene::Scene& scene, bool withEmitters, render:
   std::vector<std::size_t> groups;
   GroupValues sums{};
   const auto add = [&](LightKind kind, std::uint32_t index) {
-    table.entries.push_back({.kind = kind, .index = index});
-    weights.push_back(lightPower(scene, kind, index));
+    table.entries.push_back({.kind = kind, .index = index, .power = lightPower(scene, kind, index)});
+    weights.push_back(table.entries.back().power);
     groups.push_back(groupOf(kind, selection));
     sums[groups.back()] += weights.back();
   };

@@ -20,6 +20,7 @@ enum class LightKind : std::uint32_t {
 struct LightEntry {
   LightKind kind = LightKind::sphere;
   std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights or punctualLights
+  double power = 0;             ///< as lightPower() returns it
   std::uint32_t threshold = 0;  ///< T_i, in units of 2^-24
   float probability = 0;        ///< P_i, exact; 0 for a light of the tree
   bool inTree = false;

@@ -4,12 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
-#include "host/image/film.h"
-#include "host/scene/emission_mean.h"
 #include "shaders/shared/scene_rows.h"
 
 namespace candela::flatten {
@@ -90,10 +87,7 @@ void setPunctual(const scene::PunctualLight& light, LightNode& leaf) {
   leaf.cosine = widened(1 - double{light.versineOuter}, direction / glm::length(direction), unpackDirection(leaf.axis));
 }
 
-double intensityOf(const scene::Scene& scene, const LightEntry& entry) {
-  const double power = lightPower(scene, entry.kind, entry.index);
-  return entry.kind == LightKind::sphere ? power / 4 : power;
-}
+double intensityOf(const LightEntry& entry) { return entry.kind == LightKind::sphere ? entry.power / 4 : entry.power; }
 
 LightNode leafOf(const scene::Scene& scene, const LightEntry& entry, bool oneSided) {
   LightNode leaf;
@@ -304,15 +298,13 @@ class Builder {
 LightTree buildLightTree(const scene::Scene& scene, std::span<LightEntry> table, bool oneSided) {
   double sum = 0;
   std::vector<LightNode> leaves;
-  std::vector<double> intensities;
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (!table[i].inTree) continue;
     leaves.push_back(leafOf(scene, table[i], oneSided));
     leaves.back().next = i;
-    intensities.push_back(intensityOf(scene, table[i]));
-    sum += intensities.back();
+    sum += intensityOf(table[i]);
   }
-  for (std::size_t i = 0; i < leaves.size(); ++i) leaves[i].power = rounded(intensities[i] / sum);
+  for (LightNode& leaf : leaves) leaf.power = rounded(intensityOf(table[leaf.next]) / sum);
   return Builder(std::move(leaves)).build(table);
 }
 
