@@ -36,14 +36,37 @@ vec3 triangleNormal(vec3 edge1, vec3 edge2) {
   return unit(cross(edge1 * scale, edge2 * scale));
 }
 
-// Returns the barycentric weights of p1 and p2 at a point in the triangle's plane.
-vec2 barycentrics(vec3 position, vec3 p0, vec3 p1, vec3 p2) {
-  float scale = 1.0 / max(largest(abs(p1 - p0)), largest(abs(p2 - p0)));
-  vec3 edge1 = (p1 - p0) * scale;
-  vec3 edge2 = (p2 - p0) * scale;
-  vec3 toPosition = (position - p0) * scale;
-  vec3 normal = cross(edge1, edge2);
-  return vec2(dot(cross(toPosition, edge2), normal), dot(cross(edge1, toPosition), normal)) / dot(normal, normal);
+// Returns by how much the barycentric weights of p1 and p2 change along a vector.
+vec2 weightsAlong(vec3 vector, vec3 edge1, vec3 edge2) {
+  float scale = 1.0 / max(largest(abs(edge1)), largest(abs(edge2)));
+  vec3 scaled1 = edge1 * scale;
+  vec3 scaled2 = edge2 * scale;
+  vec3 scaled = vector * scale;
+  vec3 normal = cross(scaled1, scaled2);
+  return vec2(dot(cross(scaled, scaled2), normal), dot(cross(scaled1, scaled), normal)) / dot(normal, normal);
+}
+
+// The sine of a ray's slope to a plane below which rounding decides where the two meet.
+const float kMinSlope = 1.0 / 1048576.0;
+
+// Moves the point of a ray at the distance that the triangle test found to where the ray meets the triangle's plane, and
+// returns the barycentric weights of p1 and p2 there (docs/light-transport.md, section 4, "Positions"). A `direction` of 0
+// moves the point along the normal instead.
+vec2 meetTriangle(inout vec3 position, vec3 direction, vec3 p0, vec3 p1, vec3 p2) {
+  vec3 edge1 = p1 - p0;
+  vec3 edge2 = p2 - p0;
+  vec3 normal = triangleNormal(edge1, edge2);
+  vec2 weights = weightsAlong(position - p0, edge1, edge2);
+  precise vec3 inPlane = p0 + (weights.x * edge1 + weights.y * edge2);
+  precise vec3 offset = position - inPlane;
+  float slope = dot(direction, normal);
+  if (abs(slope) > kMinSlope) {
+    precise vec3 slid = offset - dot(offset, normal) / slope * direction;
+    offset = slid;
+  }
+  precise vec3 met = inPlane + (offset - dot(offset, normal) * normal);
+  position = met;
+  return weights + weightsAlong(offset, edge1, edge2);
 }
 
 // Moves a point off the flat primitive on which it lies, to the side to which `direction` points, by more than the

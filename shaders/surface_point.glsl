@@ -38,11 +38,9 @@ void smoothTriangle(inout Surface surface, Attributes attributes, vec2 weights) 
   surface.shading = abs(cosine) < kMinNormalCosine ? surface.outward : cosine < 0.0 ? -shading : shading;
 }
 
-// `geometry` and `index` are those of the triangle's records.
-void triangleSurface(inout Surface surface, vec3 p0, vec3 p1, vec3 p2, uint geometry, uint index) {
-  vec2 weights = barycentrics(surface.position, p0, p1, p2);
-  precise vec3 onPlane = p0 + (weights.x * (p1 - p0) + weights.y * (p2 - p0));
-  surface.position = onPlane;
+// `direction` is that of the ray, or 0 if it hit the triangle at once. `geometry` and `index` are those of the triangle's records.
+void triangleSurface(inout Surface surface, vec3 direction, vec3 p0, vec3 p1, vec3 p2, uint geometry, uint index) {
+  vec2 weights = meetTriangle(surface.position, direction, p0, p1, p2);
   surface.outward = triangleNormal(p1 - p0, p2 - p0);
   surface.shading = surface.outward;
   if (kHasTriangleLights) surface.light = lightOf(geometry, index);
@@ -105,7 +103,8 @@ Surface surfaceAt(Ray ray, Hit hit) {
   }
   surface.shading = surface.outward;
   if (kHasTriangles && isKind(surface.kind, kKindTriangle)) {
-    triangleSurface(surface, row0.xyz, row1.xyz, row2.xyz, rows[0].w, storedIndex);
+    vec3 direction = surface.contact == 0u ? ray.direction : vec3(0.0);
+    triangleSurface(surface, direction, row0.xyz, row1.xyz, row2.xyz, rows[0].w, storedIndex);
   }
   return surface;
 }

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "spirv/surface_leaf.h"
 #include "tests/trace/device/cast_words.h"
+#include "tests/trace/device/scene_leaf.h"
 #include "tests/trace/reference/placed_meshes.h"
 #include "tests/trace/reference/scene_builder.h"
 #include "tests/trace/render/render_support.h"
@@ -25,16 +27,17 @@ dvec3 direction(test::RandomMaps& random) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-// Needles through a ball of radius 1, of a width between 1/1000 and 1/10^6 of their length. Half of them are parallel
-// to an axis, so that their boxes are hardly larger than they are.
-std::vector<Triangle> needles(test::RandomMaps& random, std::size_t count) {
+// Needles through a ball of radius 1, of a width between 1/1000 and 10^-digits of their length. Half of them are
+// parallel to an axis, so that their boxes are hardly larger than they are.
+std::vector<Triangle> needles(test::RandomMaps& random, std::size_t count, double digits = 6) {
   std::vector<Triangle> result(count);
   for (std::size_t i = 0; i < count; ++i) {
     const dvec3 middle = 0.7 * random.point(1);
     dvec3 along = direction(random), across = direction(random);
-    if (i % 2 == 0) along = across = dvec3(0), along[i / 2 % 3] = across[(i / 2 + 1) % 3] = 1;
+    const int axis = static_cast<int>(i / 2 % 3);
+    if (i % 2 == 0) along = across = dvec3(0), along[axis] = across[(axis + 1) % 3] = 1;
     across = glm::normalize(across - glm::dot(across, along) * along);
-    const double length = std::pow(10, random.number(-1, 0)), width = length * std::pow(10, random.number(-6, -3));
+    const double length = std::pow(10, random.number(-1, 0)), width = length * std::pow(10, random.number(-digits, -3));
     const dvec3 start = middle - random.number(0, 1) * length * along;
     result[i] = {start, start + length * along, start + random.number(0, 1) * length * along + width * across};
   }
@@ -108,6 +111,35 @@ void requireEqualHits(const scene::Scene& scene, const std::vector<gpu::CastRay>
 
 constexpr std::size_t kRays = 300000;
 
+// The vertices of needles, whose colours are their positions.
+scene::Mesh colouredMesh(const std::vector<Triangle>& triangles) {
+  scene::Mesh mesh;
+  for (const Triangle& triangle : triangles) {
+    for (const dvec3& corner : triangle) {
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+      mesh.positions.emplace_back(corner);
+      mesh.colours.emplace_back(glm::vec3(corner), 1.0f);
+    }
+  }
+  return mesh;
+}
+
+// Where the line of a ray meets the plane of a triangle of a mesh, and by how much an error of 1 of the ray's origin
+// could move that point.
+struct Meeting {
+  dvec3 point;
+  double reach;
+};
+Meeting meetingOf(const gpu::CastRay& ray, const scene::Mesh& mesh, std::size_t triangle) {
+  const auto corner = [&](std::size_t k) { return dvec3(mesh.positions[mesh.indices[3 * triangle + k]]); };
+  const dvec3 origin(ray.originLimit), along(ray.direction);
+  const dvec3 normal = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
+  const double slope = glm::dot(along, normal);
+  return {origin + glm::dot(corner(0) - origin, normal) / slope * along, 1 + 1 / std::abs(slope)};
+}
+
+double largest(const dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 }  // namespace
 
 TEST_CASE("needles are hit at the same distance in every structure") {
@@ -164,4 +196,32 @@ TEST_CASE("rays do not hit tiny triangles that are far beside them") {
   }
   vulkan::Device device = openTestDevice();
   CHECK(metBy(search(device, b.scene, rays, {"list", render::AccelKind::none})) == 0);
+}
+
+TEST_CASE("rays reach needles where they meet their planes") {
+  test::RandomMaps random(4);
+  const std::vector<Triangle> triangles = needles(random, 300, 4);
+  const scene::Mesh mesh = colouredMesh(triangles);
+  test::SceneBuilder b;
+  b.material(test::diffuseMaterial(glm::vec3(0.5f)));
+  scene::addInstance(b.scene, scene::storeMesh(b.scene, mesh), scene::placementOf(glm::dmat4(1)).value(), 0);
+  const std::vector<gpu::CastRay> rays = raysTo(triangles, random, kRays);
+  std::vector<glm::vec4> inputs;
+  for (const gpu::CastRay& ray : rays) inputs.insert(inputs.end(), {ray.originLimit, ray.direction});
+  SceneLeaf leaf(spirv::surface_leaf, b.scene);
+  const auto rows = leaf.run<glm::vec4>(inputs, inputs.size(), rays.size());
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    if (rows[2 * i].w == 0) continue;
+    const dvec3 position(rows[2 * i]), colour(rows[2 * i + 1]);
+    const Meeting meeting = meetingOf(rays[i], mesh, static_cast<std::size_t>(rows[2 * i + 1].w));
+    const double scale = std::max(largest(dvec3(rays[i].originLimit)), largest(meeting.point)) * meeting.reach;
+    errors.push_back(std::max(largest(position - meeting.point), largest(colour - meeting.point)) / scale);
+  }
+  REQUIRE(errors.size() > rays.size() / 2);
+  std::ranges::sort(errors);
+  const double worst = errors.back() * 0x1p24, thousandth = errors[errors.size() - errors.size() / 1000] * 0x1p24;
+  CAPTURE(errors.size(), errors[errors.size() / 2] * 0x1p24, thousandth, worst);
+  CHECK(thousandth < 6);  // RoundingBounds::position
+  CHECK(worst < 300);
 }
