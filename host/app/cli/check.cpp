@@ -1,4 +1,6 @@
 // `candela check`: describes scene files, or lists all of their errors.
+#include <fmt/format.h>
+
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -7,9 +9,12 @@
 #include "host/app/cli/output_check.h"
 #include "host/app/cli/separate_files.h"
 #include "host/app/cli/text_output.h"
+#include "host/base/counted.h"
 #include "host/base/report_head.h"
 #include "host/formats/load_scene.h"
 #include "host/formats/scene_report.h"
+#include "host/trace/flatten/light_table.h"
+#include "host/trace/render/light_selection.h"
 
 namespace candela::cli {
 namespace {
@@ -30,6 +35,27 @@ ordered_json errorsOf(const FileError& error) {
   return errors;
 }
 
+// Warns of lights that are so weak beside the others that light sampling never chooses them by their power.
+void warnOfUnsampledLights(const scene::Scene& scene, std::vector<std::string>& warnings) {
+  const auto [emitters, others] = flatten::unsampledLights(flatten::buildLightTable(scene, true));
+  if (emitters + others == 0) return;
+  const bool byDefault = render::selectionFor(scene) == render::LightSelection::power;
+  const std::string how = fmt::format("--lights power{} never samples",
+                                      byDefault ? ", the default for this scene," : "");
+  if (others > 0) {
+    warnings.push_back(
+        fmt::format("{} {} without extent, whose share of the power is less than 2^-24: their light is "
+                    "missing",
+                    how, counted(others, "light")));
+  }
+  if (emitters > 0) {
+    warnings.push_back(
+        fmt::format("{} {}, whose share of the power is less than 2^-24: only rays that happen to hit "
+                    "them find their light, with more noise. --lights tree samples all emitters",
+                    how, counted(emitters, "emitter")));
+  }
+}
+
 // Returns one file's entry of the JSON report, and prints the text at once. Errors do not prevent the check of later
 // files.
 ordered_json checkFile(const std::string& file, const CheckArguments& arguments, const Log& log) {
@@ -37,7 +63,8 @@ ordered_json checkFile(const std::string& file, const CheckArguments& arguments,
   try {
     const scene::LoadedScene loaded = formats::loadScene(file, arguments.loadOptions);
     requireUnread(arguments, loaded.files);
-    const scene::SceneReport report = scene::makeReport(loaded);
+    scene::SceneReport report = scene::makeReport(loaded);
+    warnOfUnsampledLights(loaded.scene, report.warnings);
     if (wantsText(arguments, {arguments.json})) std::cout << scene::toText(report) << std::flush;
     entry["report"] = scene::toJson(report);
   } catch (const FileError& error) {

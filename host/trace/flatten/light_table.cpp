@@ -140,4 +140,13 @@ LightTable buildLightTable(const scene::Scene& scene, bool withEmitters, render:
   return table;
 }
 
+UnsampledLights unsampledLights(const LightTable& table) {
+  UnsampledLights result;
+  for (const LightEntry& entry : table.entries) {
+    if (entry.inTree || entry.power <= 0 || entry.probability > 0) continue;
+    ++(entry.isEmitter() ? result.emitters : result.others);
+  }
+  return result;
+}
+
 }  // namespace candela::flatten

@@ -1,5 +1,6 @@
 // The table by which next-event estimation chooses lights: docs/light-transport.md section 6.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -43,6 +44,13 @@ struct LightTable {
 /// Returns the table. Without `withEmitters` (--nee off), it contains only point and punctual lights.
 LightTable buildLightTable(const scene::Scene& scene, bool withEmitters,
                            render::LightSelection selection = render::LightSelection::power);
+
+/// Numbers of lights of positive power whose probability is 0 because it is less than the resolution of the thresholds.
+struct UnsampledLights {
+  std::size_t emitters = 0;  ///< which rays find
+  std::size_t others = 0;    ///< whose light is lost
+};
+UnsampledLights unsampledLights(const LightTable& table);
 
 /// Weight of a light in the choice within its group.
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index);

@@ -46,6 +46,17 @@ TEST_CASE("check describes the content of a scene") {
   CHECK(entry["report"]["primitives"]["spheres"] == 2);
 }
 
+TEST_CASE("check warns of emitters that are too weak to be sampled by their power") {
+  const TemporaryFolder folder;
+  const std::string strong = "f 1 1 1 0 0 2 0 1 1e8 1e8 1e8\ns 0 0 5 10\n",
+                    weak = "f 1 1 1 0 0 2 0 1 1 1 1\ns 0 0 -1 0.1\n";
+  const ProgramResult both = runCandela({"check", folder.write("both.p3f", strong + weak)});
+  CHECK(both.exitCode == 0);
+  CHECK(contains(both.out, "--lights power, the default for this scene, never samples 1 emitter, whose share"));
+  const ProgramResult one = runCandela({"check", folder.write("one.p3f", strong)});
+  CHECK_FALSE(contains(one.out, "never samples"));
+}
+
 TEST_CASE("check counts and names surfaces of NFF and P3F that coincide or overlap in one plane") {
   const TemporaryFolder folder;
   const std::string material = "f 1 1 1 1 0 0 0 1\n";

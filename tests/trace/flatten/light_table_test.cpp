@@ -125,3 +125,22 @@ TEST_CASE("thresholds ascend and end at 2^24 for any number of lights") {
   CHECK(table.back().threshold == 1u << 24);
   CHECK(sum == 1);
 }
+
+TEST_CASE("lights of a share below half a threshold are counted as unsampled") {
+  scene::Scene scene = lamps();
+  scene.materials.emplace_back().emission = glm::vec3(0x1p-24f);
+  scene.materials.emplace_back();
+  addTriangle(scene, {{{0, 0, 2}, {1, 0, 2}, {0, 1, 2}}}, 2);  // share of 2^-27
+  addTriangle(scene, {{{0, 0, 3}, {1, 0, 3}, {0, 1, 3}}}, 3);  // emits nothing
+  const flatten::UnsampledLights emitters = flatten::unsampledLights(flatten::buildLightTable(scene, true));
+  CHECK(emitters.emitters == 1);
+  CHECK(emitters.others == 0);
+  const auto tree = flatten::buildLightTable(scene, true, render::LightSelection::tree);
+  CHECK(flatten::unsampledLights(tree).emitters == 0);
+
+  // Half a threshold is 2^-25, and the lowest share a fifth of the mean.
+  scene::Scene dots;
+  dots.punctualLights.assign(8000000, {.intensity = glm::vec3(1)});
+  dots.punctualLights[0].intensity = glm::vec3(1e9f);
+  CHECK(flatten::unsampledLights(flatten::buildLightTable(dots, true)).others > 1000000);
+}
