@@ -1,7 +1,9 @@
 // Stores the light table of the path tracer as 16-byte records.
+#include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <span>
-#include <unordered_map>
+#include <vector>
 
 #include "host/scene/shape.h"
 #include "host/trace/flatten/flatten_sections.h"
@@ -48,16 +50,16 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
 }
 
-// Returns the slots of the emitters of a table, by primitive.
-std::unordered_map<std::uint32_t, std::uint32_t> slotsOf(std::span<const LightEntry> table,
-                                                         std::span<const std::uint32_t> order) {
-  std::unordered_map<std::uint32_t, std::uint32_t> slots;
-  for (const LightEntry& entry : table) {
-    if (entry.isEmitter()) slots[entry.index] = gpu::kNoSlot;
-  }
-  for (std::uint32_t slot = 0; slot < order.size() && !slots.empty(); ++slot) {
-    const auto emitter = slots.find(order[slot]);
-    if (emitter != slots.end()) emitter->second = slot;
+// Returns the slots of the emitters of a table, which are its first entries, in the order of their primitives.
+std::vector<std::uint32_t> slotsOf(std::span<const LightEntry> table, std::span<const std::uint32_t> order) {
+  const auto emitters = std::ranges::subrange(table.begin(),
+                                              std::ranges::partition_point(table, &LightEntry::isEmitter));
+  std::vector<std::uint32_t> slots(emitters.size(), gpu::kNoSlot);
+  if (slots.empty()) return slots;
+  for (std::uint32_t slot = 0; slot < order.size(); ++slot) {
+    const auto found = std::ranges::lower_bound(emitters, order[slot], {}, &LightEntry::index);
+    if (found != emitters.end() && found->index == order[slot])
+      slots[static_cast<std::size_t>(found - emitters.begin())] = slot;
   }
   return slots;
 }
@@ -83,9 +85,10 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
                   FlatScene& flat) {
   flat.constants.firstLightRow = rowCount(flat.rows);
   flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
-  const std::unordered_map<std::uint32_t, std::uint32_t> slots = slotsOf(table, order);
+  const std::vector<std::uint32_t> slots = slotsOf(table, order);
   Rows cones;
-  for (const LightEntry& entry : table) {
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    const LightEntry& entry = table[i];
     if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
     } else if (entry.isEnvironment()) {
@@ -98,7 +101,7 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
         cones.push_back(row(glm::dvec3(light.direction), double{light.versineOuter}));
       }
     } else {
-      appendEmitter(scene, entry, slots.at(entry.index), flat.rows);
+      appendEmitter(scene, entry, slots[i], flat.rows);
     }
   }
   flat.rows.insert(flat.rows.end(), cones.begin(), cones.end());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -104,14 +105,13 @@ LightNode leafOf(const scene::Scene& scene, const LightEntry& entry, bool oneSid
   return leaf;
 }
 
-// The sums over a set of leaves on which the costs of splits depend.
+// The sums over a set of leaves on which the costs of splits depend. Uninitialised unless set.
 struct Sums {
-  std::uint32_t count = 0;
-  double power = 0;
-  dvec3 axes{0};
-  dvec3 low{std::numeric_limits<double>::infinity()};
-  dvec3 high{-std::numeric_limits<double>::infinity()};
-  double radius = 0;
+  std::uint32_t count;
+  double power;
+  dvec3 axes;
+  dvec3 low, high;
+  double radius;
 
   void add(const Sums& other) {
     count += other.count;
@@ -129,7 +129,30 @@ struct Sums {
 };
 
 constexpr std::uint32_t kBins = 12;
-using Bins = std::array<Sums, kBins>;
+
+// The bins of an axis. Most nodes have few leaves, so that only the bins that have some are set and read.
+class Bins {
+ public:
+  void add(std::uint32_t bin, const Sums& one) {
+    if (filled_ & 1u << bin) {
+      sums_[bin].add(one);
+    } else {
+      filled_ |= 1u << bin;
+      sums_[bin] = one;
+    }
+  }
+  // Returns the bins that have leaves, in ascending order.
+  std::span<const std::uint32_t> filled(std::array<std::uint32_t, kBins>& bins) const {
+    std::size_t count = 0;
+    for (std::uint32_t rest = filled_; rest != 0; rest &= rest - 1) bins[count++] = std::countr_zero(rest);
+    return std::span(bins).first(count);
+  }
+  const Sums& operator[](std::uint32_t bin) const { return sums_[bin]; }
+
+ private:
+  std::uint32_t filled_ = 0;  // a bit for each bin
+  std::array<Sums, kBins> sums_;
+};
 
 struct Split {
   double cost;
@@ -140,23 +163,21 @@ struct Split {
 
 class Builder {
  public:
-  explicit Builder(std::vector<LightNode> leaves) : leaves_(std::move(leaves)), order_(leaves_.size()) {
+  Builder(std::span<LightEntry> table, std::vector<LightNode> leaves)
+      : table_(table), leaves_(std::move(leaves)), order_(leaves_.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     axes_.reserve(leaves_.size());
     for (const LightNode& leaf : leaves_) axes_.push_back(unpackDirection(leaf.axis));
   }
 
-  LightTree build(std::span<LightEntry> table) {
+  LightTree build() {
     const auto count = static_cast<std::uint32_t>(leaves_.size());
     inner_.resize(count - 1);
-    trails_.resize(count);
+    setTrail(0, 0);
     if (count > 1) buildNode(0, count, 0, 0, 0);
     axes_ = {};
-    for (std::uint32_t i = 0; i < count; ++i) table[leaves_[i].next].trail = trails_[i];
-    std::vector<LightNode> ordered;
-    ordered.reserve(count);
-    for (const std::uint32_t leaf : order_) ordered.push_back(leaves_[leaf]);
-    return {std::move(ordered), std::move(inner_)};
+    sortLeaves();
+    return {std::move(leaves_), std::move(inner_)};
   }
 
  private:
@@ -224,24 +245,27 @@ class Builder {
       const dvec3 centre(one.centre);
       const Sums sums{1, one.power, axisWeight(one) * axisOf(i, range), centre, centre, one.radius};
       for (int axis = 0; axis < 3; ++axis) {
-        if (range.high[axis] > range.low[axis]) bins[axis][binOf(one, range, axis)].add(sums);
+        if (range.high[axis] > range.low[axis]) bins[axis].add(binOf(one, range, axis), sums);
       }
     }
     return bins;
   }
 
   static void improve(std::optional<Split>& best, const Bins& bins, int axis, double stretch) {
-    std::array<Sums, kBins> upper;  // of the bins after each one
-    for (std::uint32_t bin = kBins - 1; bin > 0; --bin) {
-      upper[bin - 1] = upper[bin];
-      upper[bin - 1].add(bins[bin]);
+    std::array<std::uint32_t, kBins> places;
+    const std::span<const std::uint32_t> filled = bins.filled(places);
+    std::array<Sums, kBins> upper;  // of each of these bins and those after it
+    for (std::size_t i = filled.size(); i-- > 0;) {
+      upper[i] = bins[filled[i]];
+      if (i + 1 == filled.size()) continue;
+      upper[i] = upper[i + 1];
+      upper[i].add(bins[filled[i]]);
     }
-    Sums lower;
-    for (std::uint32_t bin = 0; bin + 1 < kBins; ++bin) {
-      lower.add(bins[bin]);
-      if (lower.count == 0 || upper[bin].count == 0) continue;
-      const double cost = (lower.cost() + upper[bin].cost()) * stretch;
-      if (!best || cost < best->cost) best = Split{cost, axis, bin, lower.count};
+    Sums lower = bins[filled[0]];
+    for (std::size_t i = 0; i + 1 < filled.size(); ++i) {
+      if (i > 0) lower.add(bins[filled[i]]);
+      const double cost = (lower.cost() + upper[i + 1].cost()) * stretch;
+      if (!best || cost < best->cost) best = Split{cost, axis, filled[i], lower.count};
     }
   }
 
@@ -275,22 +299,39 @@ class Builder {
     inner_[self].next = middle | (middle - begin == 1 ? gpu::kLightNodeLeftLeaf : 0) |
                         (end - middle == 1 ? gpu::kLightNodeRightLeaf : 0);
     if (middle - begin == 1) {
-      trails_[order_[begin]] = trail;
+      setTrail(begin, trail);
     } else {
       buildNode(begin, middle, middle - 1, depth + 1, trail);
     }
     if (end - middle == 1) {
-      trails_[order_[middle]] = right;
+      setTrail(middle, right);
     } else {
       buildNode(middle, end, middle, depth + 1, right);
     }
   }
 
-  std::vector<LightNode> leaves_;  // in the order of the light table
+  void setTrail(std::uint32_t position, std::uint32_t trail) { table_[leaf(position).next].trail = trail; }
+
+  // Puts the leaves in the order of the tree, along the cycles of the permutation.
+  void sortLeaves() {
+    for (std::uint32_t start = 0; start < order_.size(); ++start) {
+      const LightNode first = leaves_[start];
+      std::uint32_t place = start;
+      for (std::uint32_t from = order_[place]; from != start; from = order_[place]) {
+        leaves_[place] = leaves_[from];
+        order_[place] = place;
+        place = from;
+      }
+      leaves_[place] = first;
+      order_[place] = place;
+    }
+  }
+
+  std::span<LightEntry> table_;
+  std::vector<LightNode> leaves_;  // in the order of the light table until they are sorted
   std::vector<dvec3> axes_;        // of the leaves
   std::vector<std::uint32_t> order_;
   std::vector<LightNode> inner_;
-  std::vector<std::uint32_t> trails_;
 };
 
 }  // namespace
@@ -298,6 +339,7 @@ class Builder {
 LightTree buildLightTree(const scene::Scene& scene, std::span<LightEntry> table, bool oneSided) {
   double sum = 0;
   std::vector<LightNode> leaves;
+  leaves.reserve(static_cast<std::size_t>(std::ranges::count_if(table, &LightEntry::inTree)));
   for (std::uint32_t i = 0; i < table.size(); ++i) {
     if (!table[i].inTree) continue;
     leaves.push_back(leafOf(scene, table[i], oneSided));
@@ -305,7 +347,7 @@ LightTree buildLightTree(const scene::Scene& scene, std::span<LightEntry> table,
     sum += intensityOf(table[i]);
   }
   for (LightNode& leaf : leaves) leaf.power = rounded(intensityOf(table[leaf.next]) / sum);
-  return Builder(std::move(leaves)).build(table);
+  return Builder(table, std::move(leaves)).build();
 }
 
 }  // namespace candela::flatten

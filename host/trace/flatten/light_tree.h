@@ -23,7 +23,7 @@ static_assert(sizeof(LightNode) == 32);
 
 /// The nodes of a tree over n > 0 lights.
 struct LightTree {
-  std::vector<LightNode> leaves;  ///< n, in the order of the light table
+  std::vector<LightNode> leaves;  ///< n, in the order of the tree
   /// n - 1; the first one is the root. `next` is the first leaf m of the right range. The left range is leaf m - 1 if
   /// gpu::kLightNodeLeftLeaf is set in `next`, else inner node m - 1; the right range is leaf m if
   /// gpu::kLightNodeRightLeaf is set, else inner node m.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace candela::reference {
 namespace {
@@ -18,6 +19,8 @@ constexpr double kWords = 0x1p32;
 class LightTree::Builder {
  public:
   explicit Builder(LightTree& tree) : tree_(tree) {
+    tree_.inner_.reserve(tree_.lights_.size() - 1);
+    axes_.reserve(tree_.lights_.size());
     for (const LightBounds& light : tree.lights_) axes_.push_back(light.axis.vector());
   }
 
@@ -147,16 +150,21 @@ class LightTree::Builder {
         bins[binOf(member, axis)].join(one);
       }
       std::array<double, kBins - 1> costs;
-      Part below;
+      Part below, above;
+      double costBelow = -1, costAbove = -1;
       for (std::size_t i = 0; i + 1 < kBins; ++i) {
-        if (bins[i].count > 0) below.join(bins[i]);
-        costs[i] = below.count > 0 ? below.cost() : -1;
+        if (bins[i].count > 0) {
+          below.join(bins[i]);
+          costBelow = below.cost();
+        }
+        costs[i] = costBelow;
       }
-      Part above;
       for (std::size_t i = kBins - 1; i > 0; --i) {
-        if (bins[i].count > 0) above.join(bins[i]);
-        if (above.count == 0) costs[i - 1] = -1;
-        if (costs[i - 1] >= 0) costs[i - 1] += above.cost();
+        if (bins[i].count > 0) {
+          above.join(bins[i]);
+          costAbove = above.cost();
+        }
+        costs[i - 1] = costs[i - 1] < 0 || costAbove < 0 ? -1 : costs[i - 1] + costAbove;
       }
       return costs;
     }
@@ -171,15 +179,14 @@ class LightTree::Builder {
   std::vector<dvec3> axes_;
 };
 
-LightTree::LightTree(std::vector<LightBounds> lights, const std::vector<double>& powers)
+LightTree::LightTree(std::vector<LightBounds> lights, std::vector<double> powers)
     : lights_(std::move(lights)), trails_(lights_.size()) {
   double sum = 0;
   for (const double power : powers) sum += power;
-  std::vector<std::uint32_t> members;
-  for (std::uint32_t i = 0; i < lights_.size(); ++i) {
-    lights_[i].power = static_cast<float>(powers[i] / sum);
-    members.push_back(i);
-  }
+  for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].power = static_cast<float>(powers[i] / sum);
+  powers = {};
+  std::vector<std::uint32_t> members(lights_.size());
+  std::iota(members.begin(), members.end(), 0u);
   root_ = Builder(*this).build(members, 0, 0);
 }
 

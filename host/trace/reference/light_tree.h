@@ -13,7 +13,7 @@ class LightTree {
  public:
   /// `powers`: of the lights, > 0, apart from a common factor; those of the bounds are set. There is at least one
   /// light.
-  LightTree(std::vector<LightBounds> lights, const std::vector<double>& powers);
+  LightTree(std::vector<LightBounds> lights, std::vector<double> powers);
 
   /// A light, as an index into the lights of the constructor, and the probability of its choice.
   struct Choice {

@@ -54,16 +54,19 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
 }
 
 void LightTable::buildTree(bool oneSided) {
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+    if (groupOf(entries_[i].light, selection_) == kEmitters && entries_[i].weight > 0) entriesOfTree_.push_back(i);
+  }
   std::vector<LightBounds> bounds;
   std::vector<double> powers;
-  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+  bounds.reserve(entriesOfTree_.size());
+  powers.reserve(entriesOfTree_.size());
+  for (const std::uint32_t i : entriesOfTree_) {
     const Entry& entry = entries_[i];
-    if (groupOf(entry.light, selection_) != kEmitters || entry.weight <= 0) continue;
-    entriesOfTree_.push_back(i);
     powers.push_back(std::visit([](const auto& light) { return light.intensity(); }, entry.light));
     bounds.push_back(std::visit([&](const auto& light) { return light.bounds(oneSided); }, entry.light));
   }
-  if (!bounds.empty()) tree_.emplace(std::move(bounds), powers);
+  if (!bounds.empty()) tree_.emplace(std::move(bounds), std::move(powers));
 }
 
 std::optional<std::uint32_t> LightTable::indexInTree(std::uint32_t entry) const {
