@@ -17,9 +17,9 @@ glm::dvec3 unitOr(const glm::dvec3& v, const glm::dvec3& other) {
 }
 
 /// From `eye` along `forward` to the depth of the box's centre; 1 if that is not in front.
-double depthOf(const std::optional<Box>& bounds, const glm::dvec3& eye, const glm::dvec3& forward) {
+double depthOf(const std::optional<scene::Bounds>& bounds, const glm::dvec3& eye, const glm::dvec3& forward) {
   if (!bounds) return 1;
-  const double depth = glm::dot((bounds->min + bounds->max) / 2.0 - eye, forward);
+  const double depth = glm::dot(scene::centreOf(*bounds) - eye, forward);
   return depth > 0 ? depth : 1;
 }
 
@@ -58,7 +58,7 @@ void setOrthographic(const Value& lens, scene::Camera& view) {
 
 }  // namespace
 
-scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds) {
+scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<scene::Bounds>& bounds) {
   scene::Camera view;
   const glm::dvec3 eye(world[3]);
   const glm::dvec3 forward = unitOr(-glm::dvec3(world[2]), {0, 0, -1});

@@ -49,19 +49,23 @@ std::string listOf(const Value& root, const std::vector<PlacedCamera>& all) {
   return "the scene's cameras are " + text + (all.size() > kShown ? " and others" : "");
 }
 
-View viewOf(const Value& root, const NodeTree& nodes, const PlacedCamera& placed, const std::optional<Box>& bounds) {
+View viewOf(const Value& root, const NodeTree& nodes, const PlacedCamera& placed,
+            const std::optional<scene::Bounds>& bounds) {
   const Value camera = root.require("cameras")[placed.camera];
   const std::string name = nameOf(root, "cameras", placed.camera);
   return {cameraAt(camera, nodes.world(placed.node), bounds),
           fmt::format("camera {}{} of the file", placed.camera, name.empty() ? "" : " " + scene::quote(name))};
 }
 
-View framingView(const std::optional<Box>& bounds) { return {framingCamera(bounds), "a view that frames the model"}; }
+View framingView(const std::optional<scene::Bounds>& bounds) {
+  return {scene::framingCamera(bounds), "a view that frames the model"};
+}
 
 }  // namespace
 
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds, const std::function<std::optional<Box>()>& framed) {
+                const std::optional<scene::Bounds>& bounds,
+                const std::function<std::optional<scene::Bounds>()>& framed) {
   const std::vector<PlacedCamera> all = placedCameras(root, nodes);
   if (wish == "none" || (!wish && all.empty())) return framingView(framed());
   if (!wish) return viewOf(root, nodes, all.front(), bounds);

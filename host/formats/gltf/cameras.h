@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "host/formats/gltf/framing.h"
 #include "host/formats/gltf/nodes.h"
+#include "host/formats/loading/framing.h"
 #include "host/scene/scene.h"
 
 namespace candela::gltf {
@@ -20,9 +20,10 @@ struct View {
 /// `framed` returns. Throws JsonError for a wrong camera, and FileError, which lists the cameras, for a wish that fits
 /// none.
 View chooseView(const Value& root, const NodeTree& nodes, const std::optional<std::string>& wish,
-                const std::optional<Box>& bounds, const std::function<std::optional<Box>()>& framed);
+                const std::optional<scene::Bounds>& bounds,
+                const std::function<std::optional<scene::Bounds>()>& framed);
 
 /// The view of a perspective or an orthographic camera at a node, without the node's scale.
-scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<Box>& bounds);
+scene::Camera cameraAt(const Value& camera, const glm::dmat4& world, const std::optional<scene::Bounds>& bounds);
 
 }  // namespace candela::gltf

@@ -4,14 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-
 #include "host/base/hash.h"
 #include "host/base/setting_words.h"
-#include "host/formats/gltf/default_light.h"
 #include "host/formats/gltf/extensions.h"
 #include "host/formats/gltf/scene_assembly.h"
+#include "host/formats/loading/default_light.h"
 #include "host/formats/loading/file_hash.h"
 #include "host/formats/loading/scene_checks.h"
 
@@ -28,13 +25,6 @@ std::uint64_t hashOf(std::uint64_t fileHash, const scene::LoadOptions& options, 
   return hash;
 }
 
-/// Half the diagonal of the scene, in its own units.
-void setReach(const std::optional<Box>& bounds, scene::Scene& scene) {
-  if (!bounds) return;
-  const auto reach = static_cast<float>(glm::length(bounds->max - bounds->min) / 2);
-  for (scene::PunctualLight& light : scene.punctualLights) light.reach = reach;
-}
-
 scene::FileFacts factsOf(const UsedExtensions& used, const std::string& view, const std::string& light) {
   const auto listOf = [](const std::vector<std::string>& names) {
     return names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, ", "));
@@ -45,38 +35,18 @@ scene::FileFacts factsOf(const UsedExtensions& used, const std::string& view, co
   return facts;
 }
 
-bool hasExtent(const Box& bounds) { return bounds.min != bounds.max; }
-
-// Vertices are rounded to single precision, whose resolution falls with the distance from the origin.
-void warnOfExtent(const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
-  constexpr double kMinSteps = 4096;  // along the diagonal of the model
-  if (!bounds) return;
-  if (!hasExtent(*bounds)) {
-    log.warn("extent", {}, "the model has no extent: all of its vertices are at one point, as with a scale of 0");
-    return;
-  }
-  double largest = 0;
-  for (int axis = 0; axis < 3; ++axis)
-    largest = std::max({largest, std::abs(bounds->min[axis]), std::abs(bounds->max[axis])});
-  const double step = std::ldexp(1.0, std::ilogb(largest) - 23);
-  const double steps = glm::length(bounds->max - bounds->min) / step;
-  if (steps >= kMinSteps) return;
-  log.warn("extent", {},
-           fmt::format("the model is so far from the origin that single precision resolves only 1/{:.0f} of its size "
-                       "({:.2g} units at a distance of {:.2g}); move it, its camera and its lights to the origin",
-                       steps, step, largest));
-}
-
 // Cameras that a program left in the file often show the model as a few pixels, or not at all.
-void warnOfSmallModel(const View& view, const std::optional<Box>& bounds, scene::DiagnosticLog& log) {
+void warnOfSmallModel(const View& view, const std::optional<scene::Bounds>& bounds, scene::DiagnosticLog& log) {
   constexpr double kMinCoverage = 0.01;
-  if (!bounds || !hasExtent(*bounds) || coverageOf(view.camera, *bounds) >= kMinCoverage) return;
+  if (!bounds || !scene::hasExtent(*bounds) || scene::coverageOf(view.camera, *bounds) >= kMinCoverage) return;
   log.warn("view", {},
            fmt::format("{} shows the model in less than 1 % of the picture; {} frames the model", view.description,
                        settingWords("camera", "none")));
 }
 
-Box unionOf(const Box& a, const Box& b) { return {glm::min(a.min, b.min), glm::max(a.max, b.max)}; }
+scene::Bounds unionOf(const scene::Bounds& a, const scene::Bounds& b) {
+  return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
+}
 
 /// Turns errors of files and of JSON into errors of the scene.
 template <class Action>
@@ -118,7 +88,7 @@ struct Reading {
   Pose pose;
   NodeTree nodes;
   SceneAssembly assembly;
-  std::optional<Box> bounds{};  ///< SceneAssembly::bounds()
+  std::optional<scene::Bounds> bounds{};  ///< SceneAssembly::bounds()
 };
 
 /// A file, and what its scenes share. A view that frames the model, the distance of a camera's target and the default
@@ -143,8 +113,8 @@ class GltfReader final : public scene::SceneReader {
  private:
   /// The model at rest. Both members are empty if it has errors there that it does not have in motion.
   struct Rest {
-    std::optional<Box> bounds{};
-    std::optional<DefaultLight> light{};
+    std::optional<scene::Bounds> bounds{};
+    std::optional<scene::DefaultLight> light{};
   };
 
   scene::LoadedScene sceneAt(std::optional<double> time) {
@@ -160,12 +130,13 @@ class GltfReader final : public scene::SceneReader {
     if (isPosed && !rest_) rest_ = readRest();
     const View view = viewOf(reading, time);
     scene.camera = view.camera;
-    warnOfExtent(reading.bounds, log);
+    scene::warnOfExtent(reading.bounds, log);
     if (!options_.camera) warnOfSmallModel(view, reading.bounds, log);
-    const DefaultLight light = isPosed && rest_->light ? *rest_->light : defaultLightOf(scene, reading.bounds);
-    const std::string lightText = lightUp(scene, light, options_);
-    warnOfShadows(scene, log);
-    setReach(reading.bounds, scene);
+    const scene::DefaultLight light = isPosed && rest_->light ? *rest_->light
+                                                              : scene::defaultLightOf(scene, reading.bounds);
+    const std::string lightText = scene::lightUp(scene, light, options_);
+    scene::warnOfShadows(scene, log);
+    scene::setReach(reading.bounds, scene);
     checkScene(scene, options_, log);
     scene.name = std::filesystem::path(file_.name).filename().string();
     scene.hash = hashOf(fileHash_.get(), optionsAt(time), buffers_, assembly.textures());
@@ -185,10 +156,10 @@ class GltfReader final : public scene::SceneReader {
   }
 
   View viewOf(Reading& reading, std::optional<double> time) {
-    const std::optional<Box>& bounds = reading.bounds;
+    const std::optional<scene::Bounds>& bounds = reading.bounds;
     const bool isPosed = time && isAnimated_;
     const auto framed = [&] { return isPosed ? motion() : bounds; };
-    const std::optional<Box>& targeted = isPosed && rest_->bounds ? rest_->bounds : bounds;
+    const std::optional<scene::Bounds>& targeted = isPosed && rest_->bounds ? rest_->bounds : bounds;
     return chooseView(reading.root, reading.nodes, options_.camera, targeted, framed);
   }
 
@@ -196,14 +167,14 @@ class GltfReader final : public scene::SceneReader {
     try {
       Reading reading = read(std::nullopt);
       reading.assembly.scene().camera = viewOf(reading, std::nullopt).camera;
-      return {reading.bounds, defaultLightOf(reading.assembly.scene(), reading.bounds)};
+      return {reading.bounds, scene::defaultLightOf(reading.assembly.scene(), reading.bounds)};
     } catch (const FileError&) {
       return {};
     }
   }
 
   /// Returns nothing for a pose with errors.
-  std::optional<Box> boundsAt(double time) {
+  std::optional<scene::Bounds> boundsAt(double time) {
     try {
       return read(time).bounds;
     } catch (const FileError&) {
@@ -212,12 +183,12 @@ class GltfReader final : public scene::SceneReader {
   }
 
   /// Returns the bounds of the model at rest and at several times of its animation.
-  const std::optional<Box>& motion() {
+  const std::optional<scene::Bounds>& motion() {
     constexpr int kSteps = 8;
     if (motion_) return *motion_;
     motion_ = rest_->bounds;
     for (int i = 0; i <= kSteps; ++i) {
-      const std::optional<Box> bounds = boundsAt(end().value_or(0) * i / kSteps);
+      const std::optional<scene::Bounds> bounds = boundsAt(end().value_or(0) * i / kSteps);
       if (bounds) *motion_ = *motion_ ? unionOf(**motion_, *bounds) : *bounds;
     }
     return *motion_;
@@ -245,9 +216,9 @@ class GltfReader final : public scene::SceneReader {
   bool keepsImages_;
   Buffers buffers_;
   DecodedImages images_{};
-  std::optional<Rest> rest_{};                  ///< once it was needed
-  std::optional<std::optional<Box>> motion_{};  ///< once it was needed
-  std::optional<std::optional<double>> end_{};  ///< once it was needed
+  std::optional<Rest> rest_{};                            ///< once it was needed
+  std::optional<std::optional<scene::Bounds>> motion_{};  ///< once it was needed
+  std::optional<std::optional<double>> end_{};            ///< once it was needed
 };
 
 std::unique_ptr<scene::SceneReader> openGltf(const scene::SceneFile& file, const scene::LoadOptions& options,

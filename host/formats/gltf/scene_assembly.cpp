@@ -482,9 +482,6 @@ void SceneAssembly::reportOmissions() {
   log_.warn("unread", {}, fmt::format("not rendered yet: {}", fmt::join(unread_, ", ")));
 }
 
-std::optional<Box> SceneAssembly::bounds() const {
-  const std::optional<scene::Bounds> bounds = scene::boundsOf(scene_);
-  return bounds ? std::optional(Box{glm::dvec3(bounds->min), glm::dvec3(bounds->max)}) : std::nullopt;
-}
+std::optional<scene::Bounds> SceneAssembly::bounds() const { return scene::boundsOf(scene_); }
 
 }  // namespace candela::gltf

@@ -38,7 +38,7 @@ class SceneAssembly {
   /// Returns whether a material has an occlusion texture, which is not used.
   bool hasOcclusion() const { return hasOcclusion_; }
   /// Returns the bounds of all vertices of triangles; nothing if there are none.
-  std::optional<Box> bounds() const;
+  std::optional<scene::Bounds> bounds() const;
 
  private:
   void addNode(std::size_t index);

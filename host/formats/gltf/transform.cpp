@@ -3,22 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 
 #include "host/base/finite.h"
+#include "host/formats/loading/vertex_normals.h"
 #include "host/scene/placement.h"
 
 namespace candela::gltf {
 namespace {
-
-/// The unit vector along v; 0 for v = 0 and for lengths that overflow.
-glm::vec3 unitOrZero(const glm::dvec3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  if (largest == 0 || !std::isfinite(largest)) return glm::vec3(0);
-  return glm::vec3(glm::normalize(v / largest));
-}
 
 struct VertexTransform {
   glm::dmat4 position;
@@ -35,11 +28,12 @@ struct VertexTransform {
 void placeVertex(scene::Mesh& mesh, std::size_t i, const VertexTransform& transform, const Value& source) {
   mesh.positions[i] = glm::vec3(glm::dvec3(transform.position * glm::dvec4(mesh.positions[i], 1)));
   if (!isFinite(mesh.positions[i])) source.fail("a vertex is placed beyond the range of single precision");
-  if (!mesh.normals.empty()) mesh.normals[i] = unitOrZero(transform.normal * glm::dvec3(mesh.normals[i]));
+  if (!mesh.normals.empty()) mesh.normals[i] = scene::unitNormalOrZero(transform.normal * glm::dvec3(mesh.normals[i]));
   if (mesh.tangents.empty()) return;
   const glm::vec4 tangent = mesh.tangents[i];
   const float handedness = (tangent.w < 0) != transform.mirrors ? -1.0f : 1.0f;
-  mesh.tangents[i] = glm::vec4(unitOrZero(glm::dmat3(transform.position) * glm::dvec3(tangent)), handedness);
+  mesh.tangents[i] = glm::vec4(scene::unitNormalOrZero(glm::dmat3(transform.position) * glm::dvec3(tangent)),
+                               handedness);
 }
 
 /// Reverses the triangle that begins at a corner.
@@ -64,34 +58,13 @@ glm::dmat4 blend(const Influences& influences, std::size_t vertex, std::span<con
   return weightSum > 0 ? sum / weightSum : glm::dmat4(1);
 }
 
-/// Replaces vertex normals of length 0 by the normal of the last triangle at the vertex.
-void replaceZeroNormals(scene::Mesh& mesh) {
-  if (std::ranges::find(mesh.normals, glm::vec3(0)) == mesh.normals.end()) return;
-  const std::size_t count = mesh.indices.size();
-  for (std::size_t i = 0; i + 2 < count; i += 3) {
-    const std::uint32_t* const corner = &mesh.indices[i];
-    bool isComplete = true;
-    for (std::size_t c = 0; c < 3; ++c) isComplete = isComplete && mesh.normals[corner[c]] != glm::vec3(0);
-    if (isComplete) continue;
-    const glm::dvec3 p0(mesh.positions[corner[0]]);
-    const glm::vec3 normal = unitOrZero(
-        glm::cross(glm::dvec3(mesh.positions[corner[1]]) - p0, glm::dvec3(mesh.positions[corner[2]]) - p0));
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (mesh.normals[corner[c]] == glm::vec3(0)) mesh.normals[corner[c]] = normal;
-    }
-  }
-  for (glm::vec3& normal : mesh.normals) {
-    if (normal == glm::vec3(0)) normal = glm::vec3(0, 0, 1);  // of a triangle without area, which is never hit
-  }
-}
-
 }  // namespace
 
 void place(scene::Mesh& mesh, const glm::dmat4& transform, const Value& source) {
   const VertexTransform forAll(transform);
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) placeVertex(mesh, i, forAll, source);
   for (std::size_t corner = 0; forAll.mirrors && corner < mesh.indices.size(); corner += 3) reverse(mesh, corner);
-  if (!mesh.normals.empty()) replaceZeroNormals(mesh);
+  if (!mesh.normals.empty()) scene::replaceZeroNormals(mesh);
 }
 
 void placeSkinned(scene::Mesh& mesh, const Influences& influences, std::span<const glm::dmat4> joints,
@@ -105,7 +78,7 @@ void placeSkinned(scene::Mesh& mesh, const Influences& influences, std::span<con
   for (std::size_t corner = 0; corner < mesh.indices.size(); corner += 3) {
     if (mirrors[mesh.indices[corner]]) reverse(mesh, corner);
   }
-  if (!mesh.normals.empty()) replaceZeroNormals(mesh);
+  if (!mesh.normals.empty()) scene::replaceZeroNormals(mesh);
 }
 
 }  // namespace candela::gltf

@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "host/base/quote.h"
+#include "host/formats/loading/number.h"
 #include "host/formats/nff/keywords.h"
 #include "host/formats/nff/nff_material.h"
-#include "host/formats/nff/number.h"
 
 namespace candela::scene {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host/base/quote.h"
-#include "host/formats/nff/number.h"
+#include "host/formats/loading/number.h"
 
 namespace candela::scene {
 namespace {

@@ -1,5 +1,5 @@
 // Parses numbers of scene files.
-#include "host/formats/nff/number.h"
+#include "host/formats/loading/number.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,11 +1,11 @@
 // Frames a model in a picture, and estimates how much of the picture it covers.
-#include "host/formats/gltf/framing.h"
+#include "host/formats/loading/framing.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace candela::gltf {
+namespace candela::scene {
 namespace {
 
 constexpr double kFramingAngle = 30;      // degrees
@@ -16,16 +16,22 @@ double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 }  // namespace
 
-ViewAxes axesOf(const scene::Camera& camera) {
+glm::dvec3 centreOf(const Bounds& bounds) { return (glm::dvec3(bounds.min) + glm::dvec3(bounds.max)) / 2.0; }
+
+double radiusOf(const Bounds& bounds) { return glm::length(glm::dvec3(bounds.max) - glm::dvec3(bounds.min)) / 2; }
+
+bool hasExtent(const Bounds& bounds) { return bounds.min != bounds.max; }
+
+ViewAxes axesOf(const Camera& camera) {
   const glm::dvec3 forward = glm::normalize(glm::dvec3(camera.at) - glm::dvec3(camera.from));
   const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(camera.up)));
   return {right, glm::cross(right, forward), forward};
 }
 
-double coverageOf(const scene::Camera& camera, const Box& bounds) {
+double coverageOf(const Camera& camera, const Bounds& bounds) {
   const auto& [right, up, forward] = axesOf(camera);
-  const glm::dvec3 centre = (bounds.min + bounds.max) / 2.0 - glm::dvec3(camera.from);
-  const double radius = glm::length(bounds.max - bounds.min) / 2;
+  const glm::dvec3 centre = centreOf(bounds) - glm::dvec3(camera.from);
+  const double radius = radiusOf(bounds);
   if (glm::length(centre) <= radius) return 1;
   const double depth = glm::dot(centre, forward);
   if (depth <= 0) return depth > -radius ? 1 : 0;
@@ -37,16 +43,16 @@ double coverageOf(const scene::Camera& camera, const Box& bounds) {
   return isOutside ? 0 : std::min(1.0, std::numbers::pi * radius * radius / (4 * halfWidth * halfHeight));
 }
 
-scene::Camera framingCamera(const std::optional<Box>& bounds) {
-  const glm::dvec3 centre = bounds ? (bounds->min + bounds->max) / 2.0 : glm::dvec3(0);
-  const double radius = bounds ? glm::length(bounds->max - bounds->min) / 2 : 0;
+Camera framingCamera(const std::optional<Bounds>& bounds) {
+  const glm::dvec3 centre = bounds ? centreOf(*bounds) : glm::dvec3(0);
+  const double radius = bounds ? radiusOf(*bounds) : 0;
   const double distance = kFramingMargin * (radius > 0 ? radius : 1) / std::sin(radians(kFramingAngle / 2));
   const double elevation = radians(kFramingElevation);
-  scene::Camera view;
+  Camera view;
   view.at = glm::vec3(centre);
   view.from = glm::vec3(centre + distance * glm::dvec3(0, std::sin(elevation), std::cos(elevation)));
   view.angle = kFramingAngle;
   return view;
 }
 
-}  // namespace candela::gltf
+}  // namespace candela::scene

@@ -1,5 +1,5 @@
 // Numbers are rounded once, to the nearest binary32.
-#include "host/formats/nff/number.h"
+#include "host/formats/loading/number.h"
 
 #include <fmt/format.h>
 
