@@ -207,7 +207,7 @@ class InstanceSearch {
   }
 
   void compareRuns(const Pair& runs, Found& found) {
-    const auto [other, own] = runs;
+    const std::uint32_t other = runs.first, own = runs.second;  // Clang 14 captures no structured bindings
     const BoxTree& tree = *sharedOf(own).tree;
     const BoxTree& otherTree = other == kUnplacedRuns ? unplacedTree_ : *sharedOf(other).tree;
     WorkLimit limit(kMaxWorkPerSurface * (tree.size() + otherTree.size()), &limit_);
