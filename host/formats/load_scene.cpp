@@ -10,6 +10,7 @@
 #include "host/formats/loading/read_file.h"
 #include "host/formats/nff/nff_loader.h"
 #include "host/formats/orbit.h"
+#include "host/formats/ply/ply_loader.h"
 
 namespace candela::formats {
 namespace {
@@ -59,7 +60,7 @@ scene::LoadedScene complete(scene::LoadedScene loaded, const scene::LoadOptions&
 }  // namespace
 
 std::span<const scene::Loader> allLoaders() {
-  static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), scene::nffLoader()};
+  static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), ply::plyLoader(), scene::nffLoader()};
   return loaders;
 }
 

@@ -125,6 +125,13 @@ def bombs():
     yield "nesting.gltf", b'{"asset":' + b"[" * 10**6, check
     yield "chunk.glb", glb(0xFFFFFFF0, 0xFFFFFFFF), check
     yield "total.glb", glb(4, 0xFFFFFFFF), check
+    for encoding in ("ascii", "binary_little_endian"):
+        vertices = b"element vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\n"
+        face = b"element face %d\nproperty list int int vertex_indices\nend_header\n"
+        magic = f"ply\nformat {encoding} 1.0\n".encode()
+        yield f"vertices.{encoding}.ply", magic + vertices.replace(b"3", b"%d" % big) + face % 1 + b"0 " * 50, check
+        yield f"faces.{encoding}.ply", magic + vertices + face % big + b"0 " * 50, check
+        yield f"list.{encoding}.ply", magic + vertices + face % 1 + (b"0 " * 9 + b"2000000000 0 1 2" if encoding == "ascii" else b"\0" * 9 + b"\xff\xff\xff\x7f"), check
     yield "polygon.nff", (SCENE + "p 4000000000\n0 0 0\n1 0 0\n0 1 0\n").encode(), check
     yield "image.p3f", SCENE.replace("8 6", "65535 65535").encode(), ["render", "--device", "cpu", "--stats"]
     yield "memory.p3f", SCENE.replace("8 6", "16384 16384").encode(), ["render", "--device", "cpu", "--stats", "--memory", "200MiB"]

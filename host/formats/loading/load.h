@@ -21,7 +21,7 @@ struct LoadOptions {
   std::optional<double> time{};            ///< seconds at which an animation is evaluated; empty: at rest
   std::optional<std::string> animation{};  ///< name or index of one of the file's animations; empty: the first
   double orbit = 0;  ///< degrees by which the camera is turned about its target, see formats::orbitedCamera()
-  EnvironmentRequest environment{};  ///< replaces the background, and the default light of glTF
+  EnvironmentRequest environment{};  ///< replaces the background, and the default light
 
   bool hasEnvironment() const { return !environment.source.empty(); }
 };

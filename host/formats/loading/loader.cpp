@@ -1,4 +1,4 @@
-// The choice among loaders.
+// The choice among loaders, and the reader of formats without animations.
 #include "host/formats/loading/loader.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,29 @@ std::string formatsOf(std::span<const Loader> loaders) {
   return fmt::format("{}", fmt::join(formats, ", "));
 }
 
+class StillReader final : public SceneReader {
+ public:
+  StillReader(const SceneFile& file, const LoadOptions& options,
+              LoadedScene (*load)(const SceneFile&, const LoadOptions&))
+      : file_(file), options_(options), load_(load) {}
+
+  LoadedScene at(std::optional<double> time) override {
+    options_.time = time;
+    return load_(file_, options_);
+  }
+
+ private:
+  SceneFile file_;
+  LoadOptions options_;
+  LoadedScene (*load_)(const SceneFile&, const LoadOptions&);
+};
+
 }  // namespace
+
+std::unique_ptr<SceneReader> readStill(const SceneFile& file, const LoadOptions& options,
+                                       LoadedScene (*load)(const SceneFile&, const LoadOptions&)) {
+  return std::make_unique<StillReader>(file, options, load);
+}
 
 const Loader& chooseLoader(std::span<const Loader> loaders, const SceneFile& file) {
   const auto byContent = std::ranges::find_if(loaders, [&](const Loader& l) { return l.recognises(file.bytes); });

@@ -30,6 +30,10 @@ class SceneReader {
   virtual LoadedScene at(std::optional<double> time) = 0;
 };
 
+/// Returns a reader of a file that looks the same at all times: `load` reads it with LoadOptions::time set.
+std::unique_ptr<SceneReader> readStill(const SceneFile& file, const LoadOptions& options,
+                                       LoadedScene (*load)(const SceneFile&, const LoadOptions&));
+
 /// Reads one family of formats.
 struct Loader {
   std::string_view name;                     ///< as messages show it: "NFF or P3F"

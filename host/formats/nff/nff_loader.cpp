@@ -133,23 +133,8 @@ LoadedScene loadNff(const SceneFile& file, const LoadOptions& options) {
           .files = parser.guard.requiredPaths()};
 }
 
-/// A file, which looks the same at all times.
-class NffReader final : public SceneReader {
- public:
-  NffReader(const SceneFile& file, const LoadOptions& options) : file_(file), options_(options) {}
-
-  LoadedScene at(std::optional<double> time) override {
-    options_.time = time;
-    return loadNff(file_, options_);
-  }
-
- private:
-  SceneFile file_;
-  LoadOptions options_;
-};
-
 std::unique_ptr<SceneReader> openNff(const SceneFile& file, const LoadOptions& options, bool) {
-  return std::make_unique<NffReader>(file, options);
+  return readStill(file, options, loadNff);
 }
 
 }  // namespace

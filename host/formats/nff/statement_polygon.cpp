@@ -1,18 +1,16 @@
 // `p` and `pp`: polygons and patches, split into triangles.
 #include <vector>
 
+#include "host/formats/loading/polygon.h"
 #include "host/formats/loading/scene_builder.h"
-#include "host/formats/loading/triangulate.h"
 #include "host/formats/nff/parser.h"
 #include "host/formats/nff/statements.h"
 
 namespace candela::scene {
 namespace {
 
-constexpr std::int64_t kMaxVertices = 16384;  ///< maximum number of vertices; triangulation takes quadratic time
-
 std::size_t readCount(Parser& parser, std::size_t numbersPerVertex) {
-  return parser.itemCount("the number of vertices", 3, kMaxVertices, numbersPerVertex);
+  return parser.itemCount("the number of vertices", 3, kMaxPolygonVertices, numbersPerVertex);
 }
 
 glm::vec3 readNormal(Parser& parser) {
@@ -23,25 +21,13 @@ glm::vec3 readNormal(Parser& parser) {
   return length == 0 ? glm::vec3(0, 0, 1) : glm::vec3(normal / length);
 }
 
-Triangulation triangulateWithWarnings(Parser& parser, const std::vector<glm::vec3>& vertices) {
-  constexpr double kFlatness = 1e-2;  // as a fraction of the extent: measured data deviate by half of it
-  Triangulation split = triangulate(vertices);
-  if (split.planeDeviation > kFlatness) {
-    parser.log.warn("not planar", parser.keyword, "the polygon is not flat; its triangles follow its vertices");
-  }
-  if (!split.simple) {
-    parser.log.warn("crosses itself", parser.keyword, "the polygon crosses itself; its triangles may overlap");
-  }
-  return split;
-}
-
 }  // namespace
 
 void parsePolygon(Parser& parser) {
   std::vector<glm::vec3> vertices(readCount(parser, 3));
   for (glm::vec3& vertex : vertices) vertex = parser.in.vector("a vertex");
   const std::uint32_t material = parser.currentMaterial();
-  for (const auto& [a, b, c] : triangulateWithWarnings(parser, vertices).triangles) {
+  for (const auto& [a, b, c] : triangulateWithWarnings(vertices, parser.keyword, parser.log).triangles) {
     addTriangle(parser.scene, {{vertices[a], vertices[b], vertices[c]}}, material);
   }
 }
@@ -54,7 +40,7 @@ void parsePatch(Parser& parser) {
     normals[i] = readNormal(parser);
   }
   const std::uint32_t material = parser.currentMaterial();
-  for (const auto& [a, b, c] : triangulateWithWarnings(parser, vertices).triangles) {
+  for (const auto& [a, b, c] : triangulateWithWarnings(vertices, parser.keyword, parser.log).triangles) {
     const Triangle triangle{{vertices[a], vertices[b], vertices[c]}};
     addTriangle(parser.scene, triangle, {{normals[a], normals[b], normals[c]}}, material);
   }

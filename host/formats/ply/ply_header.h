@@ -1,0 +1,54 @@
+// The header of a PLY file (Turk, "The PLY Polygon File Format", 1994): its encoding, elements and properties.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/formats/loading/loader.h"
+
+namespace candela::ply {
+
+enum class Encoding : std::uint8_t { ascii, littleEndian, bigEndian };
+
+enum class NumberType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+inline bool isInteger(NumberType type) { return type < NumberType::float32; }
+/// Returns the size of a binary number in bytes.
+std::size_t sizeOf(NumberType type);
+/// Returns the smallest and the largest value of an integer type.
+std::int64_t minOf(NumberType type);
+std::int64_t maxOf(NumberType type);
+/// Returns the name that is used most: "uchar", "int", "float".
+std::string_view nameOf(NumberType type);
+
+struct Property {
+  std::string name;
+  NumberType type;                        ///< of the number, or of the numbers of a list
+  std::optional<NumberType> countType{};  ///< of the length of a list; empty: one number
+};
+
+struct Element {
+  std::string name;
+  std::uint64_t count = 0;
+  std::vector<Property> properties{};
+
+  /// Returns the least number of bytes, or of values in a text, that one element takes.
+  std::uint64_t minSize(Encoding encoding) const;
+};
+
+struct Header {
+  Encoding encoding = Encoding::ascii;
+  std::vector<Element> elements{};
+  std::size_t size = 0;  ///< offset of the data in the file
+};
+
+/// Returns whether the bytes begin with the word "ply" and a line end.
+bool looksLikePly(std::string_view bytes);
+
+/// Throws SceneError, with line and column, if the header is wrong, or states more elements than the file can contain.
+Header readHeader(const scene::SceneFile& file);
+
+}  // namespace candela::ply
