@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME candela)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libvulkan1")  # opened when the program runs
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, libglfw3")  # opened by candela view
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Candela renders glTF, PLY, P3F and NFF scenes by path tracing on any
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Candela renders glTF, OBJ, PLY, P3F and NFF scenes by path tracing on any
 Vulkan 1.2 device, with or without ray-tracing hardware. An independent
 reference tracer says whether the image is right.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME candela-dev)

@@ -9,6 +9,7 @@
 #include "host/formats/gltf/gltf_loader.h"
 #include "host/formats/loading/read_file.h"
 #include "host/formats/nff/nff_loader.h"
+#include "host/formats/obj/obj_loader.h"
 #include "host/formats/orbit.h"
 #include "host/formats/ply/ply_loader.h"
 
@@ -60,7 +61,8 @@ scene::LoadedScene complete(scene::LoadedScene loaded, const scene::LoadOptions&
 }  // namespace
 
 std::span<const scene::Loader> allLoaders() {
-  static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), ply::plyLoader(), scene::nffLoader()};
+  static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), ply::plyLoader(), obj::objLoader(),
+                                                  scene::nffLoader()};
   return loaders;
 }
 

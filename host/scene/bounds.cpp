@@ -40,6 +40,18 @@ void add(Extent3& extent, const Box& box) {
   extent.add(box.max);
 }
 
+/// Adds consecutive triangles of a mesh. Single precision suffices: every bound is a coordinate of a vertex.
+void add(Extent3& extent, const Mesh& mesh, std::size_t first, std::size_t count) {
+  if (count == 0) return;
+  glm::vec3 min(std::numeric_limits<float>::infinity()), max(-std::numeric_limits<float>::infinity());
+  for (std::size_t corner = 3 * first; corner < 3 * (first + count); ++corner) {
+    const glm::vec3& vertex = mesh.positions[mesh.indices.empty() ? corner : mesh.indices[corner]];
+    min = glm::min(min, vertex);
+    max = glm::max(max, vertex);
+  }
+  extent.add(min), extent.add(max);
+}
+
 /// A circle around a unit axis reaches r sqrt(1 - axis^2) along each coordinate.
 void add(Extent3& extent, const Cone& cone) {
   const glm::dvec3 base = cone.base;
@@ -63,6 +75,10 @@ std::optional<Bounds> boundsOf(const Scene& scene, const std::function<bool(cons
     if (run.start.isPlaced()) {
       const auto [min, max] = placed.of(run);
       extent.add(min), extent.add(max);
+      continue;
+    }
+    if (run.start.kind == PrimitiveKind::triangle) {
+      add(extent, meshOf(scene, run.start), run.start.index, scene.primitives.countOf(run));
       continue;
     }
     const std::uint32_t end = run.first + scene.primitives.countOf(run);

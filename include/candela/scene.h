@@ -54,8 +54,8 @@ using scene::Diagnostic;
 /// Every error of a file at once: a FileError.
 using scene::SceneError;
 
-/// Reads glTF, GLB, PLY, NFF or P3F, from a file or from memory, by its content. Throws SceneError with every error
-/// that was found, and FileError if the file cannot be read or is larger than 1 GiB.
+/// Reads glTF, GLB, OBJ, PLY, NFF or P3F, from a file or from memory, by its content. Throws SceneError with every
+/// error that was found, and FileError if the file cannot be read or is larger than 1 GiB.
 using formats::loadScene;
 
 }  // namespace candela

@@ -132,6 +132,9 @@ def bombs():
         yield f"vertices.{encoding}.ply", magic + vertices.replace(b"3", b"%d" % big) + face % 1 + b"0 " * 50, check
         yield f"faces.{encoding}.ply", magic + vertices + face % big + b"0 " * 50, check
         yield f"list.{encoding}.ply", magic + vertices + face % 1 + (b"0 " * 9 + b"2000000000 0 1 2" if encoding == "ascii" else b"\0" * 9 + b"\xff\xff\xff\x7f"), check
+    yield "face.obj", b"v 0 0 0\n" + b"f" + b" 1" * 400000 + b"\n", check
+    yield "corners.obj", b"v 0 0 0\n" + b"vt 0 0\n" * 60000 + b"".join(b"f 1/%d 1/%d 1/%d\n" % (i, i + 1, i + 2) for i in range(1, 59999)) + b"f 1\n", check
+    yield "groups.obj", b"v 0 0 0\n" + b"".join(b"s %d\nf 1 1 1\n" % i for i in range(1, 60000)) + b"f 1\n", check
     yield "polygon.nff", (SCENE + "p 4000000000\n0 0 0\n1 0 0\n0 1 0\n").encode(), check
     yield "image.p3f", SCENE.replace("8 6", "65535 65535").encode(), ["render", "--device", "cpu", "--stats"]
     yield "memory.p3f", SCENE.replace("8 6", "16384 16384").encode(), ["render", "--device", "cpu", "--stats", "--memory", "200MiB"]

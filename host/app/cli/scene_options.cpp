@@ -87,7 +87,7 @@ std::vector<Option> imageOptions() {
 std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
-    flag<SceneArguments>({"--lenient", kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF, leave out images that cannot be read; replace pixels of an environment that are not finite"},
+    flag<SceneArguments>({"--lenient", kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF and OBJ, leave out images that cannot be read; replace pixels of an environment that are not finite"},
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths<SceneArguments>({"--allow-path", kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),

@@ -21,6 +21,12 @@ struct Diagnostic {
   std::string message;
 };
 
+/// Ends the reading of a statement. Parsers catch it, and continue with the next statement.
+struct StatementError {
+  Position position;
+  std::string message;
+};
+
 /// "scene.p3f:14:9: unknown keyword "spehre"; did you mean "s"?"
 std::string toString(const Diagnostic& diagnostic);
 

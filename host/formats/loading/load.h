@@ -15,7 +15,7 @@
 namespace candela::scene {
 
 struct LoadOptions {
-  bool lenient = false;  ///< warn of deviations that docs/scene-format.md and docs/gltf.md list, and read on
+  bool lenient = false;  ///< warn of deviations that docs/scene-format.md, gltf.md and mesh-formats.md list
   std::vector<std::filesystem::path> allowedPaths{};  ///< folders, besides the scene's own, from which a scene may read
   std::optional<std::string> camera{};     ///< name or index of one of the file's cameras; "none": a view of everything
   std::optional<double> time{};            ///< seconds at which an animation is evaluated; empty: at rest

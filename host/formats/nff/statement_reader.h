@@ -6,15 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "host/formats/loading/diagnostic.h"
 #include "host/formats/nff/tokenizer.h"
 
 namespace candela::scene {
-
-/// Ends the reading of a statement. The parser catches it and continues with the next statement.
-struct StatementError {
-  Position position;
-  std::string message;
-};
 
 class StatementReader {
  public:

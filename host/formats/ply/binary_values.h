@@ -42,6 +42,14 @@ class BinaryValues {
     visit(type, [&](auto number) { value = static_cast<std::int64_t>(number); });
     return value;
   }
+  template <class Action>
+  void integers(NumberType type, std::uint64_t count, const Action& action) {
+    if (type != NumberType::int32 || count > room(type)) {
+      for (std::uint64_t i = 0; i < count; ++i) action(integer(type));
+    } else {  // the usual case
+      for (std::uint64_t i = 0; i < count; ++i) action(std::int64_t{load<std::int32_t>()});
+    }
+  }
   void skip(NumberType type) { skip(type, 1); }
   void skip(NumberType type, std::uint64_t count) {
     if (count > room(type)) failEnd();

@@ -220,8 +220,7 @@ class Body {
     contents_.counts[isStrip ? "strip" : "face"] = element.count;
   }
 
-  std::uint32_t readIndex(NumberType type) {
-    const std::int64_t index = values_.integer(type);
+  std::uint32_t vertexAt(std::int64_t index) const {
     if (static_cast<std::uint64_t>(index) >= vertexCount_) failIndex(index);
     return static_cast<std::uint32_t>(index);
   }
@@ -234,7 +233,7 @@ class Body {
     const std::uint64_t length = lengthOf(list);
     std::vector<std::uint32_t>& indices = contents_.mesh.indices;
     if (length == 3) {
-      for (int corner = 0; corner < 3; ++corner) indices.push_back(readIndex(list.type));
+      values_.integers(list.type, 3, [&](std::int64_t index) { indices.push_back(vertexAt(index)); });
       return;
     }
     if (length > scene::kMaxPolygonVertices) {
@@ -242,10 +241,10 @@ class Body {
     }
     polygon_.clear();
     corners_.clear();
-    for (std::uint64_t i = 0; i < length; ++i) {
-      polygon_.push_back(readIndex(list.type));
+    values_.integers(list.type, length, [&](std::int64_t index) {
+      polygon_.push_back(vertexAt(index));
       corners_.push_back(contents_.mesh.positions[polygon_.back()]);
-    }
+    });
     if (length < 3) {
       log_.warn("small face", values_.position(), "a face of fewer than three vertices is not rendered");
       return;
@@ -270,8 +269,7 @@ class Body {
         inStrip = 0;
         continue;
       }
-      if (static_cast<std::uint64_t>(index) >= vertexCount_) failIndex(index);
-      const auto vertex = static_cast<std::uint32_t>(index);
+      const std::uint32_t vertex = vertexAt(index);
       const bool hasArea = vertex != last[0] && vertex != last[1] && last[0] != last[1];
       if (inStrip >= 2 && hasArea) {
         const bool isOdd = inStrip % 2 == 1;

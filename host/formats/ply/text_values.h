@@ -48,11 +48,14 @@ class TextValues {
   std::int64_t integer(NumberType type) {
     begin();
     std::int64_t value = 0;
-    const auto [stop, error] = std::from_chars(next_, end_, value);
-    if (error != std::errc() || !endsAt(stop)) value = otherInteger();
+    if (!readDigits(value)) value = otherInteger();
     if (isInteger(type) && (value < minOf(type) || value > maxOf(type))) failRange(value, type);
-    if (stop > next_) next_ = stop;
     return value;
+  }
+  /// Calls `action` with `count` whole numbers, one after the other.
+  template <class Action>
+  void integers(NumberType type, std::uint64_t count, const Action& action) {
+    for (std::uint64_t i = 0; i < count; ++i) action(integer(type));
   }
   void skip(NumberType) {
     begin();
@@ -78,6 +81,15 @@ class TextValues {
   void skipBlanks() {
     while (next_ != end_ && isBlank(*next_)) ++next_;
   }
+  /// Reads a number of at most 15 digits without a sign. Returns false, and stays, if there is none.
+  bool readDigits(std::int64_t& value) {
+    constexpr std::ptrdiff_t kMaxDigits = 15;
+    const char* p = next_;
+    while (p != end_ && *p >= '0' && *p <= '9' && p - next_ < kMaxDigits) value = 10 * value + (*p++ - '0');
+    if (p == next_ || !endsAt(p)) return false;
+    next_ = p;
+    return true;
+  }
   /// Goes to the next number, which must exist.
   void begin() {
     while (next_ != end_ && (isBlank(*next_) || isLineEnd(*next_))) ++next_;
@@ -85,7 +97,7 @@ class TextValues {
     if (next_ == end_) fail("the file ends within the element");
   }
   std::string_view word() const;
-  /// Read numbers in other notations, such as "+1" or "1e3" for an integer, and go to their end.
+  /// Read numbers in other notations, such as "-1" or "1e3" for an integer, and go to their end.
   float otherReal();
   std::int64_t otherInteger();
   void endLongRow();
