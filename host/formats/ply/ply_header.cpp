@@ -68,6 +68,14 @@ class HeaderLines {
     return {text_.substr(begin, offset_ - begin), {line_, static_cast<std::uint32_t>(begin + 1)}};
   }
 
+  /// Returns what is left of the line, without blanks at both ends.
+  Word rest() {
+    const std::size_t begin = std::min(text_.find_first_not_of(" \t", offset_), text_.size());
+    const std::size_t end = text_.find_last_not_of(" \t") + 1;
+    offset_ = text_.size();
+    return {text_.substr(begin, end > begin ? end - begin : 0), {line_, static_cast<std::uint32_t>(begin + 1)}};
+  }
+
   /// Throws SceneError if the line has another word.
   void requireEnd() {
     const Word surplus = word();
@@ -105,7 +113,7 @@ class HeaderReader {
  private:
   void readFormat() {
     Word keyword = lines_.next();
-    while (keyword.text == "comment" || keyword.text == "obj_info" || keyword.text.empty()) keyword = lines_.next();
+    while (passComment(keyword)) keyword = lines_.next();
     if (keyword.text != "format") lines_.fail(keyword, "expected \"format\", then the encoding and \"1.0\"");
     const Word name = lines_.word();
     if (name.text == "ascii") {
@@ -125,9 +133,18 @@ class HeaderReader {
   void readLine(const Word& keyword) {
     if (keyword.text == "element") return readElement(keyword);
     if (keyword.text == "property") return readProperty(keyword);
-    if (keyword.text == "comment" || keyword.text == "obj_info" || keyword.text.empty()) return;
+    if (passComment(keyword)) return;
     lines_.fail(keyword, fmt::format("unknown keyword {}; expected element, property, comment, obj_info or end_header",
                                      quote(keyword.text)));
+  }
+
+  /// Returns whether the line is empty or a comment. The name of an image is noted.
+  bool passComment(const Word& keyword) {
+    if (keyword.text == "comment" && lines_.word().text == "TextureFile") {
+      const Word name = lines_.rest();
+      if (!name.text.empty()) header_.textures.push_back({std::string(name.text), name.position});
+    }
+    return keyword.text == "comment" || keyword.text == "obj_info" || keyword.text.empty();
   }
 
   void readElement(const Word& keyword) {

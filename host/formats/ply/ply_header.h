@@ -39,9 +39,16 @@ struct Element {
   std::uint64_t minSize(Encoding encoding) const;
 };
 
+/// An image that a comment names: "comment TextureFile skin.png", as MeshLab and programs for photogrammetry write it.
+struct TextureFile {
+  std::string name;
+  scene::Position position{};  ///< of the name
+};
+
 struct Header {
   Encoding encoding = Encoding::ascii;
   std::vector<Element> elements{};
+  std::vector<TextureFile> textures{};
   std::size_t size = 0;  ///< offset of the data in the file
 };
 

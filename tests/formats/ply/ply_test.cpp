@@ -1,6 +1,8 @@
 // PLY: every property that is rendered, with exact values, in every encoding.
 #include "host/formats/load_scene.h"
+#include "host/image/codecs.h"
 #include "host/image/colour_transfer.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/formats/ply/ply_file.h"
 
 namespace candela::ply {
@@ -183,6 +185,34 @@ TEST_CASE("Long lines of a PLY are errors, or with lenient warnings") {
   const scene::LoadedScene lenient = load(text, {.lenient = true});
   CHECK(lenient.scene.meshes[0] == meshOf(triangle("", {"", "", ""})));
   CHECK(warningsOf(lenient).size() == 1);
+}
+
+TEST_CASE("Texture coordinates of a PLY show the image that a comment names") {
+  const TemporaryFolder folder;
+  const image::Bytes png = image::encodePng({1, 2, {255, 0, 0, 0, 0, 255}});
+  folder.write("a skin.png", {reinterpret_cast<const char*>(png.data()), png.size()});
+  const auto names = GENERATE(std::pair("s", "t"), std::pair("u", "v"), std::pair("texture_u", "texture_v"));
+  const std::string plain = triangle(
+      std::string("property float ") + names.first + "\nproperty float " + names.second + "\n",
+      {"0 0", ".25 .5", "1 1"});
+  std::string text = plain;
+  text.insert(text.find("element"), "comment TextureFile a skin.png \n");
+  const scene::LoadedScene loaded = load(text, {}, folder.path());
+  CHECK(loaded.scene.meshes[0].texCoords[0] == std::vector<glm::vec2>{{0, 0}, {0.25f, 0.5f}, {1, 1}});
+  REQUIRE(loaded.scene.images.size() == 1);
+  CHECK(loaded.scene.images[0].texels == std::vector<std::uint32_t>{0xff0000ff, 0xffff0000});
+  const auto& texture = textureOf(loaded.scene.materials[0], scene::TextureSlot::baseColour);
+  REQUIRE(texture);
+  CHECK(texture->rowT == glm::vec3(0, -1, 1));
+  CHECK(loaded.scene.materials[0].diffuse->colour == glm::vec3(1));
+  CHECK(loaded.files.size() == 1);
+  CHECK(loaded.warnings.empty());
+  CHECK(loaded.scene.hash != load(plain, {}, folder.path()).scene.hash);
+  CHECK(load(plain).facts.back().second == "texture coordinates (the file names no image)");
+  CHECK(errorOf(text) ==
+        "test.ply:3:21: ./a skin.png: cannot open: No such file or directory; lenient leaves out a "
+        "texture whose image cannot be read");
+  CHECK(load(text, {.lenient = true}).warnings.size() == 1);
 }
 
 TEST_CASE("A PLY is recognised by its content, else by its extension") {
