@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
 
 #include "host/base/quote.h"
 
@@ -228,21 +227,6 @@ class HeaderReader {
 };
 
 }  // namespace
-
-std::size_t sizeOf(NumberType type) {
-  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
-  return kSizes[static_cast<std::size_t>(type)];
-}
-
-std::int64_t minOf(NumberType type) {
-  const bool isSigned = type == NumberType::int8 || type == NumberType::int16 || type == NumberType::int32;
-  return isSigned ? -maxOf(type) - 1 : 0;
-}
-
-std::int64_t maxOf(NumberType type) {
-  constexpr std::array<std::int64_t, 6> kMax{127, 255, 32767, 65535, 2147483647, 4294967295};
-  return kMax[static_cast<std::size_t>(type)];
-}
 
 std::string_view nameOf(NumberType type) { return std::ranges::find(kTypeNames, type, &TypeName::type)->name; }
 

@@ -1,5 +1,6 @@
 // The header of a PLY file (Turk, "The PLY Polygon File Format", 1994): its encoding, elements and properties.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,10 +18,19 @@ enum class NumberType : std::uint8_t { int8, uint8, int16, uint16, int32, uint32
 
 inline bool isInteger(NumberType type) { return type < NumberType::float32; }
 /// Returns the size of a binary number in bytes.
-std::size_t sizeOf(NumberType type);
-/// Returns the smallest and the largest value of an integer type.
-std::int64_t minOf(NumberType type);
-std::int64_t maxOf(NumberType type);
+inline std::size_t sizeOf(NumberType type) {
+  constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
+  return kSizes[static_cast<std::size_t>(type)];
+}
+/// Returns the largest and the smallest value of an integer type.
+inline std::int64_t maxOf(NumberType type) {
+  constexpr std::array<std::int64_t, 6> kMax{127, 255, 32767, 65535, 2147483647, 4294967295};
+  return kMax[static_cast<std::size_t>(type)];
+}
+inline std::int64_t minOf(NumberType type) {
+  const bool isSigned = type == NumberType::int8 || type == NumberType::int16 || type == NumberType::int32;
+  return isSigned ? -maxOf(type) - 1 : 0;
+}
 /// Returns the name that is used most: "uchar", "int", "float".
 std::string_view nameOf(NumberType type);
 

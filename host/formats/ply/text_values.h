@@ -49,7 +49,7 @@ class TextValues {
     begin();
     std::int64_t value = 0;
     if (!readDigits(value)) value = otherInteger();
-    if (isInteger(type) && (value < minOf(type) || value > maxOf(type))) failRange(value, type);
+    if (isInteger(type) && (value > maxOf(type) || (value < 0 && value < minOf(type)))) failRange(value, type);
     return value;
   }
   /// Calls `action` with `count` whole numbers, one after the other.
