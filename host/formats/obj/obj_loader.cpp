@@ -12,6 +12,7 @@
 #include "host/base/quote.h"
 #include "host/base/setting_words.h"
 #include "host/base/suggestion.h"
+#include "host/base/utf8.h"
 #include "host/formats/loading/file_hash.h"
 #include "host/formats/loading/model_scene.h"
 #include "host/formats/loading/path_guard.h"
@@ -134,7 +135,7 @@ class Reading {
   std::uint32_t addMaterial(const MtlMaterial& material, Library& library) {
     const MtlReferences references = textures_.read(material, library.folder, library.log, library.content.omissions);
     scene_.materials.push_back(fromMtl(material, references, !model_.colours.empty()));
-    scene_.materialNames.push_back(material.name);
+    scene_.materialNames.push_back(printableLine(material.name, kMaxNameLength));
     warnOfValues(material, library.log);
     return static_cast<std::uint32_t>(scene_.materials.size() - 1);
   }

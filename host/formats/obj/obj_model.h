@@ -56,6 +56,9 @@ class SmoothNormals {
   std::vector<glm::dvec3> sums_{};
 };
 
+/// Longer names of objects and materials are cut. Bytes that are no text of a terminal are replaced in them.
+inline constexpr std::size_t kMaxNameLength = 1024;
+
 struct ObjModel {
   std::vector<glm::vec3> positions{};
   std::vector<glm::vec3> colours{};  ///< linear; empty, or one for each position

@@ -11,6 +11,7 @@
 #include "host/base/quote.h"
 #include "host/base/setting_words.h"
 #include "host/base/suggestion.h"
+#include "host/base/utf8.h"
 #include "host/formats/loading/polygon.h"
 #include "host/formats/obj/lines.h"
 #include "host/image/colour_transfer.h"
@@ -317,7 +318,7 @@ class ObjParser {
 
   void beginObject() {
     const Word name = lines_.rest();
-    objectName_ = name.text.empty() ? "default" : name.text;
+    objectName_ = name.text.empty() ? "default" : printableLine(name.text, kMaxNameLength);
     hasObject_ = false;
   }
 

@@ -94,6 +94,11 @@ TEST_CASE("Objects and groups of OBJ have names, in the order of the file") {
   CHECK(scene.meshes.size() == 1);
 }
 
+TEST_CASE("Names of OBJ objects have no control characters and no bytes that are not UTF-8") {
+  const scene::Scene scene = sceneOf(kSquare + "g a\x1b[2J\nf 1 2 3\ng b\xff\xc3\xa9\nf 1 2 3\n");
+  CHECK(scene.objectNames == Strings{"a?[2J", "b\xef\xbf\xbd\xc3\xa9"});
+}
+
 TEST_CASE("Smoothing groups of OBJ get the mean normal of their triangles by angle") {
   // Two triangles that meet at a right angle along the x axis: each has 45 degrees at both ends of the edge.
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
