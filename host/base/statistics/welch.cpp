@@ -2,6 +2,7 @@
 #include "host/base/statistics/welch.h"
 
 #include <algorithm>
+#include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
@@ -60,6 +61,21 @@ WelchTest welch(const Estimate& a, const Estimate& b, double margin) {
 
 double criticalT(double pValue, double degreesOfFreedom) {
   return math::quantile(math::complement(math::students_t(degreesOfFreedom), pValue / 2));
+}
+
+double detectableShift(double criticalT, double degreesOfFreedom, double power) {
+  if (std::isinf(criticalT)) return criticalT;
+  const auto powerAt = [&](double shift) {
+    return math::cdf(math::complement(math::non_central_t(degreesOfFreedom, shift), criticalT));
+  };
+  double low = 0, high = 1;
+  while (powerAt(high) < power) high *= 2;
+  constexpr double kAccuracy = 1e-6;
+  while (high - low > kAccuracy * high) {
+    const double middle = (low + high) / 2;
+    (powerAt(middle) < power ? low : high) = middle;
+  }
+  return high;
 }
 
 double normalQuantile(double probability) { return math::quantile(math::normal(), probability); }

@@ -39,6 +39,9 @@ WelchTest welch(const Summary& a, const Summary& b, double margin = 0);
 /// Returns the |t| that is exceeded with probability `pValue`, in (0, 1], if both means are equal; `degreesOfFreedom` >
 /// 0.
 double criticalT(double pValue, double degreesOfFreedom);
+/// Returns the true difference, in standard errors, at which t exceeds `criticalT` >= 0 with probability `power`, in
+/// (0, 1): t has the noncentral distribution. Infinite if `criticalT` is; `degreesOfFreedom` > 0.
+double detectableShift(double criticalT, double degreesOfFreedom, double power);
 /// Returns the z that a standard normal variable does not exceed with `probability`, in (0, 1).
 double normalQuantile(double probability);
 
