@@ -15,7 +15,7 @@ enum class ExitCode : int {
   deviceLost = 5,  ///< the device was lost, hung, or its driver failed
   outOfMemory = 6,
   interrupted = 7,  ///< interrupted; the samples rendered so far are written
-  undecided = 8,    ///< a verdict is not decided: rounding or noise may hide more than is permitted
+  undecided = 8,    ///< a verdict is not decided: rounding, noise or too few renders may hide more than is permitted
   internal = 70,
 };
 

@@ -204,6 +204,8 @@ Image decode(ByteView bytes, ImageParts parts) {
   checkPlausible(header, pixelCount, bytes.size());
   image.rgb.resize(pixelCount);
   const ExrColours colours = chooseColours(header);
+  const auto isHalf = [&](const std::string& name) { return header.channels().findChannel(name)->type == Imf::HALF; };
+  if (std::ranges::any_of(colours.names, isHalf)) image.significandBits = 11;
   if (!colours.alpha.empty()) image.alpha.resize(pixelCount);
   if (hasFullChannel(header, kVarianceChannel)) image.luminanceVariance.resize(pixelCount);
   if (hasFullChannel(header, kSamplesChannel)) image.sampleCounts.resize(pixelCount);

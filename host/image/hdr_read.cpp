@@ -201,6 +201,7 @@ Image decodeHdr(ByteView file) {
   ByteCursor cursor(file);
   const Header header = takeHeader(cursor);
   Image image;
+  image.significandBits = 8;
   std::vector<Rgbe> line(header.fast.size);
   for (std::uint32_t i = 0; i < header.slow.size; ++i) {  // memory grows with the actual content of the file
     takeRow(cursor, line);

@@ -162,6 +162,7 @@ void appendTexels(const std::vector<Texel>& texels, double gamma, Image& image) 
 
 Image toImage(const Texels& texels) {
   Image image;
+  image.isDisplayReferred = true;
   image.width = texels.width;
   image.height = texels.height;
   if (texels.deepRgba.empty()) {

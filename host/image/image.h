@@ -64,6 +64,8 @@ struct Image {
                                     ///< or more; none: the pixels, from (0, 0)
   bool isCubeMap = false;           ///< an EXR file says that its pixels are the six faces of an environment
   std::vector<std::string> warnings{};  ///< what the file states about its pixels and the reader did not apply
+  bool isDisplayReferred = false;       ///< the file has integers, which a display transform made: PNG, JPEG, WebP
+  std::uint32_t significandBits = 24;   ///< of the file's colours: 24 for binary32, 11 for half, 8 for RGBE
 
   glm::vec3& at(std::uint32_t x, std::uint32_t y) { return rgb[std::size_t{y} * width + x]; }
   const glm::vec3& at(std::uint32_t x, std::uint32_t y) const { return rgb[std::size_t{y} * width + x]; }

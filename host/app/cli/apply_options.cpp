@@ -73,6 +73,23 @@ std::vector<std::string> withJoinedFlags(std::span<const std::string> words) {
   return joined;
 }
 
+// Repeats the name of an option that takes several values before each of them, since CLI11 would take the arguments
+// after them, too.
+std::vector<std::string> withRepeatedNames(const std::vector<std::string>& words, Command command) {
+  std::vector<std::string> repeated;
+  std::string name;  // of the option that takes the words that follow
+  for (const std::string& word : words) {
+    if (word.starts_with('-')) {
+      const Option* const option = findOption(command, word);
+      name = option != nullptr && option->takesSeveral ? word : "";
+    } else if (!name.empty() && repeated.back() != name) {
+      repeated.push_back(name);
+    }
+    repeated.push_back(word);
+  }
+  return repeated;
+}
+
 }  // namespace
 
 void setOption(const Option& option, const std::string& value, Arguments& arguments) {
@@ -94,7 +111,7 @@ void applyOptions(std::span<const std::string> words, Arguments& arguments) {
   }
   app.add_option("files", partOf<GeneralArguments>(arguments).files);
 
-  std::vector<std::string> reversed = reversedWords(withJoinedFlags(words));
+  std::vector<std::string> reversed = reversedWords(withRepeatedNames(withJoinedFlags(words), command));
   try {
     app.parse(reversed);
   } catch (const CLI::ArgumentMismatch& error) {

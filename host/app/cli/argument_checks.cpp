@@ -24,7 +24,16 @@ void requireFileCount(Command command, const GeneralArguments& arguments) {
 // Options for tracing do not affect the comparison of two images, and those for images not that of two tracers. They
 // are refused, since ignoring them would hide a misunderstanding.
 void refuseOptionsOfOtherComparison(const CompareArguments& arguments) {
-  const bool ofImages = arguments.files.size() == 2;
+  const bool ofSets = !arguments.others.empty();
+  if (!ofSets && arguments.files.size() > 2) {
+    throw UsageError(fmt::format("too many arguments: {} is unexpected; {} names the renders of a second set",
+                                 arguments.files[2], settingWords("with")));
+  }
+  for (const char* option : {"--tolerance", "--channels"}) {
+    if (ofSets && arguments.given.contains(option))
+      throw UsageError(fmt::format("{} is for comparing two images, not two sets of renders", option));
+  }
+  const bool ofImages = ofSets || arguments.files.size() == 2;
   for (const Option& option : optionTable()) {
     const bool tracing = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile ||
                          option.group == OptionGroup::execution;
@@ -52,6 +61,7 @@ void requireTogether(const GeneralArguments& arguments, const std::string& optio
 void requireCompleteOptions(const GeneralArguments& arguments) {
   requireTogether(arguments, "checkpoint-every", "checkpoint");
   requireTogether(arguments, "resume-anyway", "resume");
+  requireTogether(arguments, "paired", "with");
 }
 
 // An animation has no effect on a scene at rest.

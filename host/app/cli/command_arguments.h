@@ -57,7 +57,9 @@ struct CheckArguments : SceneArguments, JsonArguments {
 
 struct CompareArguments : TracingArguments, PictureArguments, VerdictArguments, StrictArguments, JsonArguments {
   static constexpr Command command = Command::compare;
-  std::optional<double> tolerance;    ///< maximum relMSE that passes
+  std::vector<std::string> others;  ///< renders with which `files` are compared as sets; empty: two images, or a scene
+  bool paired = false;              ///< of both sets, renders with equal indices belong together
+  std::optional<double> tolerance;  ///< maximum relMSE that passes
   std::vector<std::string> channels;  ///< that are compared; empty: all but statistics
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;

@@ -18,8 +18,10 @@ std::span<const CommandInfo> commandTable() {
        "check whether this machine can render, and report what is wrong and how to fix it", "", 0, 0},
       {Command::check, "check", "check FILE...", "describe scenes, or list all of their errors", "scene", 1,
        kUnlimited},
-      {Command::compare, "compare", "compare A B | SCENE",
-       "compare two images, or a device's image of a scene with that of the reference tracer", "image or scene", 1, 2},
+      {Command::compare, "compare", "compare A B | A... --with B... | SCENE",
+       "compare two images, two sets of renders by any renderers, or a device's image of a scene with that of the "
+       "reference tracer",
+       "image or scene", 1, kUnlimited},
       {Command::verify, "verify", "verify SCENE",
        "test statistically whether a device computes the same light as the reference tracer", "scene", 1, 1},
       {Command::conformance, "conformance", "conformance",

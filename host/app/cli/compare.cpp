@@ -1,4 +1,4 @@
-// `candela compare`: compares two images, or two tracers.
+// `candela compare`: compares two images, two sets of renders, or two tracers.
 #include <algorithm>
 
 #include "host/app/cli/commands.h"
@@ -9,7 +9,9 @@
 namespace candela::cli {
 namespace {
 
-void requireComparable(const std::vector<std::string>& files) {
+void requireImagesOrScene(const CompareArguments& arguments) {
+  const std::vector<std::string>& files = arguments.files;
+  if (!arguments.others.empty()) return;
   const auto scene = std::ranges::find_if(files, [](const std::string& file) { return isSceneName(file); });
   if (files.size() == 2 && scene != files.end()) {
     throw UsageError("compare takes two images or one scene, and " + *scene + " is a scene");
@@ -22,7 +24,8 @@ void requireComparable(const std::vector<std::string>& files) {
 }  // namespace
 
 ExitCode run(const CompareArguments& arguments, const Log& log) {
-  requireComparable(arguments.files);
+  requireImagesOrScene(arguments);
+  if (!arguments.others.empty()) return compareRenderSets(arguments, log);
   return arguments.files.size() == 2 ? compareImageFiles(arguments, log) : compareTracersOnScene(arguments, log);
 }
 

@@ -1,4 +1,4 @@
-// The two kinds of `candela compare`.
+// The kinds of `candela compare`.
 #pragma once
 #include "host/app/cli/command_arguments.h"
 #include "host/base/errors.h"
@@ -8,6 +8,8 @@ namespace candela::cli {
 
 /// Compares two image files: figures, pictures of the differences, and a verdict by tolerance or by statistics.
 ExitCode compareImageFiles(const CompareArguments& arguments, const Log& log);
+/// Tests whether two sets of renders show the same light.
+ExitCode compareRenderSets(const CompareArguments& arguments, const Log& log);
 /// Compares the device's image of a scene with the reference's, from equal random numbers.
 ExitCode compareTracersOnScene(const CompareArguments& arguments, const Log& log);
 

@@ -37,7 +37,8 @@ constexpr std::array kExitCodeTexts{
     ExitCodeText{ExitCode::deviceLost, "the device was lost or hung"},
     ExitCodeText{ExitCode::outOfMemory, "out of memory"},
     ExitCodeText{ExitCode::interrupted, "interrupted; the samples rendered so far are written"},
-    ExitCodeText{ExitCode::undecided, "the verdict is not decided: rounding or noise may hide more than is permitted"},
+    ExitCodeText{ExitCode::undecided,
+                 "the verdict is not decided: rounding, noise or too few renders may hide more than is permitted"},
     ExitCodeText{ExitCode::internal, "internal error"},
 };
 

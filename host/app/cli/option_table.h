@@ -47,6 +47,7 @@ struct Option {
   /// several values, an unset flag none.
   std::function<std::vector<std::string>(const Arguments&)> show;
   std::vector<std::string> words{};  ///< Notation::words
+  bool takesSeveral = false;         ///< all words up to the next option are values
 
   /// Returns whether a value as films record it ("off" for a flag that is not given) is the default.
   bool isDefault(const std::string& value) const { return value == (isFlag() ? "off" : defaultText); }

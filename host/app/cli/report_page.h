@@ -7,6 +7,7 @@
 #include "host/image/flip.h"
 #include "host/judge/report/report.h"
 #include "host/judge/verify/agreement.h"
+#include "host/judge/verify/render_set_test.h"
 #include "host/judge/verify/verify.h"
 
 namespace candela::cli {
@@ -15,6 +16,9 @@ namespace candela::cli {
 report::Report imageReport(const CompareArguments& arguments, const image::Image& a, const image::Image& reference,
                            const image::ImageComparison& comparison, const image::FlipResult& flip,
                            const ImageVerdict& verdict);
+/// Reports on the means of two sets of renders.
+report::Report renderSetReport(const CompareArguments& arguments, const verify::RenderSet& a,
+                               const verify::RenderSet& b, const verify::SetTestResult& result);
 /// Reports on device and reference for one scene. `arguments` are those of the command line; the run was not
 /// interrupted.
 report::Report agreementReport(const CompareArguments& arguments, const RenderJob& job,

@@ -79,12 +79,18 @@ std::vector<Option> filmOptions() {
 
 std::vector<Option> comparisonOptions() {
   constexpr OptionGroup kGroup = OptionGroup::comparison;
+  Option with = list<CompareArguments>({"--with", kGroup, "one render or more by any renderer, with which those before the option are compared: whether both sets show the same light, by a permutation test"},
+           "FILE", "a path", [](auto& a) -> auto& { return a.others; });
+  with.takesSeveral = true;
   return {
+    with,
+    flag<CompareArguments>({"--paired", kGroup, "with --with: the first renders of both sets belong together, for example because they have the same seed, and so do the second, and so on"},
+         [](auto& a) -> auto& { return a.paired; }),
     valued<CompareArguments>({"--tolerance", kGroup, "maximum relMSE at which two images pass, by their colours and by each other channel; ids must be equal"},
            orAbsent(realNumber<double>("T", 0, 1e30), ""), [](auto& a) -> auto& { return a.tolerance; }),
     valued<CompareArguments>({"--channels", kGroup, "channels to compare, separated by commas: R, G, B, A, Z, a layer such as albedo or N, or one of its channels (default: all that both images have, except statistics)"},
            nameList("NAMES", "names of channels, separated by commas"), [](auto& a) -> auto& { return a.channels; }),
-    valued<CompareArguments>({"--alpha", kGroup, "false-alarm probability of the test for equal light; without --alpha and --tolerance, the test runs if both images have variances (EXR files of `candela render`)"},
+    valued<CompareArguments>({"--alpha", kGroup, "false-alarm probability of the test for equal light, with --with at least 1e-6; without --alpha and --tolerance, two images are tested if both have variances (EXR files of `candela render`)"},
            fraction("A", 1e-12, 0.5), [](auto& a) -> auto& { return a.verification.alpha; }),
     valued<CompareArguments>({"--bias", kGroup, "fraction of the image mean that the test for equal light may overlook; if rounding or noise may hide more, the verdict is not decided"},
            orAbsent(fraction("FRACTION", 1e-7, 1), "1 %"), [](auto& a) -> auto& { return a.verification.bias; }),

@@ -80,9 +80,11 @@ std::string testTable(const Report& report) {
   std::string rows;
   for (std::size_t i = 0; i < std::min(results.size(), kTestsShown); ++i) rows += testRow(results[i]);
   const auto differing = std::count_if(results.begin(), results.end(), [](const RegionResult& r) { return r.differs; });
+  const std::string condition = report.tests->isAdjusted ? ""
+                                                         : fmt::format(" at p &lt; {:.1e} each", report.tests->level);
   return "<section aria-labelledby=\"tests\">\n<h2 id=\"tests\">Tests of regions</h2>\n" +
-         fmt::format("<p>{} of {} regions differ at p &lt; {:.1e} each. The most significant ones:</p>\n", differing,
-                     results.size(), report.tests->level) +
+         fmt::format("<p>{} of {} regions differ{}. The most significant ones{}:</p>\n", differing, results.size(),
+                     condition, report.tests->isAdjusted ? ", with p-values that count all regions" : "") +
          scrolling(
              "<table>\n<thead><tr><th scope=\"col\">Region</th><th scope=\"col\">A</th><th scope=\"col\">B</th>"
              "<th scope=\"col\">difference</th><th scope=\"col\">t</th><th scope=\"col\">p</th>"

@@ -79,6 +79,7 @@ std::string doubtText(Doubt doubt, const RegionResult& image, double maxOverlook
   const std::string limit = percent(maxOverlooked);
   switch (doubt) {
     case Doubt::none:
+    case Doubt::renders:
       return "";
     case Doubt::rounding:
       return fmt::format("Not decided: rounding in single precision excuses {}, and at most {} may be excused.{}",
@@ -95,6 +96,7 @@ std::string doubtText(Doubt doubt, const RegionResult& image, double maxOverlook
 std::string remedyText(Doubt doubt, const RegionResult& image, const std::string& moreSamples) {
   switch (doubt) {
     case Doubt::none:
+    case Doubt::renders:
       return "";
     case Doubt::rounding:
       return " Remove or separate surfaces that coincide, or move the scene to its origin" + acceptanceText(image) +

@@ -10,9 +10,10 @@ namespace candela::verify {
 
 enum class Conclusion { same, different, undecided };
 
-/// The cause that may hide a difference from a comparison that found none. darkness: the reference is black.
-enum class Doubt { none, rounding, noise, darkness };
-inline constexpr std::array<const char*, 4> kDoubtNames{"none", "rounding", "noise", "darkness"};
+/// The cause that may hide a difference from a comparison that found none. darkness: the reference is black; renders:
+/// there are too few of them for the level.
+enum class Doubt { none, rounding, noise, darkness, renders };
+inline constexpr std::array<const char*, 5> kDoubtNames{"none", "rounding", "noise", "darkness", "renders"};
 
 /// The fraction of the image mean that a comparison may overlook, unless --bias states another.
 inline constexpr double kMaxOverlooked = 0.01;
@@ -31,10 +32,12 @@ Doubt doubtOf(const RegionResult& image, double maxOverlooked);
 /// beyond the noise of both.
 bool isLostBySinglePrecision(const RegionResult& image);
 
-/// Returns sentences that state the doubt, the limit, and the sign and size of the difference; empty without a doubt.
+/// Returns sentences that state the doubt, the limit, and the sign and size of the difference; empty without a doubt,
+/// and for Doubt::renders, which only the test of sets has (render_set_test.h).
 std::string doubtText(Doubt doubt, const RegionResult& image, double maxOverlooked, const SideNames& names = {});
 
-/// Returns a sentence on what decides a doubt, after a space. `moreSamples` says what would give more of them.
+/// Returns a sentence on what decides a doubt, after a space; empty where doubtText() is. `moreSamples` says what would
+/// give more of them.
 std::string remedyText(Doubt doubt, const RegionResult& image, const std::string& moreSamples);
 
 /// Returns the member `agrees` of a document: true, false, or null for undecided.

@@ -34,8 +34,9 @@ bool RegionTests::differs() const { return std::ranges::any_of(regions, &RegionR
 
 const RegionResult& RegionTests::mostSignificant() const {
   if (image().differs) return image();
-  const auto pValueOf = [](const RegionResult& result) { return result.test.pValue; };
-  const RegionResult& least = *std::ranges::min_element(regions, {}, pValueOf);
+  // Adjusted p-values are often equal.
+  const auto rankOf = [](const RegionResult& result) { return std::pair(result.test.pValue, -result.test.t); };
+  const RegionResult& least = *std::ranges::min_element(regions, {}, rankOf);
   return least.differs ? least : image();
 }
 

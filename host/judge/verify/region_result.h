@@ -41,8 +41,9 @@ RegionResult compareRegion(const Region& region, const statistics::Estimate& dev
 
 /// The tests of all regions of two images.
 struct RegionTests {
-  double level = 0;                   ///< level of each region's test
+  double level = 0;                   ///< level of each region's test, or of one that would stand alone: see isAdjusted
   std::vector<RegionResult> regions;  ///< the luminance of the whole image first
+  bool isAdjusted = false;            ///< p-values are adjusted for all regions, which `level` does not judge
 
   bool differs() const;
   /// Returns the result of the whole image. The list must not be empty.

@@ -19,6 +19,17 @@ void appendTiles(const render::Extent& image, std::uint32_t size, std::vector<Re
   }
 }
 
+template <class ColourAt>
+double meanOver(const Region& region, ColourAt colourAt) {
+  double sum = 0;
+  for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
+    for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
+      sum += quantityOf(colourAt(x, y), region.quantity);
+    }
+  }
+  return sum / (double{1} * region.width * region.height);
+}
+
 }  // namespace
 
 std::vector<Region> regionsOf(const render::Extent& image, const std::optional<Region>& watched) {
@@ -57,13 +68,11 @@ double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity) {
 }
 
 double regionMean(const image::Film& film, const Region& region) {
-  double sum = 0;
-  for (std::uint32_t y = region.y; y < region.y + region.height; ++y) {
-    for (std::uint32_t x = region.x; x < region.x + region.width; ++x) {
-      sum += quantityOf(film.mean(x, y), region.quantity);
-    }
-  }
-  return sum / (double{1} * region.width * region.height);
+  return meanOver(region, [&](std::uint32_t x, std::uint32_t y) { return film.mean(x, y); });
+}
+
+double regionMean(const image::Image& image, const Region& region) {
+  return meanOver(region, [&](std::uint32_t x, std::uint32_t y) { return glm::dvec3(image.at(x, y)); });
 }
 
 }  // namespace candela::verify

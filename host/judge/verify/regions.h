@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/image/film.h"
+#include "host/image/image.h"
 #include "host/trace/render/extent.h"
 
 namespace candela::verify {
@@ -34,5 +35,6 @@ double quantityOf(const glm::dvec3& rgb, Region::Quantity quantity);
 
 /// Returns the mean over the pixels of a region, each of which must have samples.
 double regionMean(const image::Film& film, const Region& region);
+double regionMean(const image::Image& image, const Region& region);
 
 }  // namespace candela::verify

@@ -80,6 +80,7 @@ std::vector<Document> documentsOf(const Inputs& in) {
       {"candela-compare-images/1", {"compare", in.path("a1.exr"), in.path("a2.exr")}, false, 8},
       {"candela-compare-images/1", {"compare", in.path("a1.exr"), in.path("a2.exr"), "--allow-undecided"}, false},
       {"candela-compare-images/1", {"compare", in.path("a1.exr"), in.path("a2.exr"), "--tolerance", "0"}, false, 3},
+      {"candela-compare-renders/1", {"compare", in.path("a1.exr"), "--with", in.path("a2.exr")}, false, 8},
       {"candela-compare-tracers/1", with({"compare", scene}, quick)},
       {"candela-verify/3", {"verify", scene, "--size", "8x8", "--bias", "20%", "--explain"}},
       {"candela-verify/3", {"verify", scene, "--size", "8x8", "--bias", "0.00001%"}, true, 8},

@@ -87,6 +87,8 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--mixed-devices", "", ""},
       {"--partial", "", ""},
       {"--exposure", "STOPS", "0"},
+      {"--with", "FILE", ""},
+      {"--paired", "", ""},
       {"--tolerance", "T", ""},
       {"--channels", "NAMES", ""},
       {"--diff", "FILE", ""},
