@@ -53,6 +53,17 @@ TEST_CASE("EXR files preserve every bit of an image") {
   CHECK(back.metadata == image.metadata);
 }
 
+TEST_CASE("an image states the precision of its file, and whether a display transform made it") {
+  TemporaryFolder folder;
+  for (const auto& [name, bits, isDisplayReferred] :
+       {std::tuple{"a.exr", 24u, false}, {"a.pfm", 24u, false}, {"a.hdr", 8u, false}, {"a.png", 24u, true}}) {
+    writeImage(folder / name, testImage(3, 2), {});
+    const Image back = readImage(folder / name);
+    CHECK(back.significandBits == bits);
+    CHECK(back.isDisplayReferred == isDisplayReferred);
+  }
+}
+
 TEST_CASE("EXR files without variance and counts are read without them") {
   TemporaryFolder folder;
   Image image = testImage(3, 2);

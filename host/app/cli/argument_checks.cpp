@@ -61,7 +61,9 @@ void requireTogether(const GeneralArguments& arguments, const std::string& optio
 void requireCompleteOptions(const GeneralArguments& arguments) {
   requireTogether(arguments, "checkpoint-every", "checkpoint");
   requireTogether(arguments, "resume-anyway", "resume");
-  requireTogether(arguments, "paired", "with");
+  for (const char* option : {"paired", "with-variance", "with-spp", "set-spp"}) {
+    requireTogether(arguments, option, "with");
+  }
 }
 
 // An animation has no effect on a scene at rest.

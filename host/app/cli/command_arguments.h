@@ -59,8 +59,11 @@ struct CompareArguments : TracingArguments, PictureArguments, VerdictArguments, 
   static constexpr Command command = Command::compare;
   std::vector<std::string> others;  ///< renders with which `files` are compared as sets; empty: two images, or a scene
   bool paired = false;              ///< of both sets, renders with equal indices belong together
-  std::optional<double> tolerance;  ///< maximum relMSE that passes
-  std::vector<std::string> channels;  ///< that are compared; empty: all but statistics
+  std::filesystem::path othersVariance;        ///< variances of one sample, for a single one of `others`; or empty
+  std::optional<std::uint32_t> othersSamples;  ///< per pixel, of a single one of `others`; empty: the file states them
+  std::optional<std::uint32_t> setSamples;     ///< per pixel, of each of `files`; empty: the files state them
+  std::optional<double> tolerance;             ///< maximum relMSE that passes
+  std::vector<std::string> channels;           ///< that are compared; empty: all but statistics
   std::filesystem::path differenceFile;
   std::filesystem::path flipFile;
 };

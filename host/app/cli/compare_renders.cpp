@@ -1,7 +1,9 @@
 // `candela compare A... --with B...`: tests whether two sets of renders show the same light.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <ostream>
 
@@ -14,26 +16,46 @@
 #include "host/app/cli/text_output.h"
 #include "host/base/report_head.h"
 #include "host/base/setting_words.h"
+#include "host/image/moments.h"
 #include "host/judge/verify/film_test.h"
+#include "host/judge/verify/picture_test.h"
 
 namespace candela::cli {
 namespace {
 
-// A set, and the bad samples in its files.
+// A set, and what its files state about their samples.
 struct Side {
   verify::RenderSet renders;
+  std::vector<std::uint32_t> sampleCounts;  ///< for each pixel, of all renders; empty if a file does not state them
+  std::vector<std::string> seeds;           ///< of Candela's files
+  image::Image last;
   std::uint64_t badSamples = 0;
   std::uint64_t badPixels = 0;
 };
 
+// Adds the number of samples of the last render.
+void addCounts(Side& side) {
+  const std::vector<std::uint32_t>& counts = side.last.sampleCounts;
+  if (side.renders.count() == 1) side.sampleCounts.resize(counts.size());
+  if (counts.empty()) side.sampleCounts.clear();
+  for (std::size_t i = 0; i < side.sampleCounts.size(); ++i) {
+    side.sampleCounts[i] += std::min(counts[i], std::numeric_limits<std::uint32_t>::max() - side.sampleCounts[i]);
+  }
+}
+
 void addFile(const std::string& file, const std::vector<std::string>& files, const Log& log, Side& side) {
-  const image::Image render = image::readImage(file);
+  side.last = image::readImage(file, image::ImageParts::withLayers);
+  const image::Image& render = side.last;
   for (const std::string& warning : render.warnings) log.warning(fmt::format("{}: {}", file, warning));
   if (const auto bias = render.metadata.find(verify::kBiasMetadata); bias != render.metadata.end()) {
     log.warning(fmt::format("{}: it is biased on purpose ({}: {})", file, bias->first, bias->second));
   }
+  if (const auto seed = render.metadata.find(verify::kSeedMetadata); seed != render.metadata.end()) {
+    side.seeds.push_back(seed->second);
+  }
   try {
     side.renders.add(render);
+    if (render.luminanceVariance.empty()) takeMoments(side.last);
   } catch (const FileError& error) {
     throw FileError(fmt::format("{}: {}", file, error.what()));
   }
@@ -42,6 +64,7 @@ void addFile(const std::string& file, const std::vector<std::string>& files, con
         "{}: it equals {}: the renders of a set must have different random numbers; {} compares pictures without noise",
         file, files[*twin], settingWords("tolerance", "0")));
   }
+  addCounts(side);
   side.badSamples += badSampleCount(render);
   side.badPixels += static_cast<std::uint64_t>(
       std::ranges::count_if(render.badSampleCounts, [](std::uint32_t count) { return count > 0; }));
@@ -58,6 +81,82 @@ void requireMatching(const CompareArguments& arguments, const verify::RenderSet&
     throw FileError(fmt::format("{}: it has {}, and {} has {}", arguments.others.front(), b.placeText(),
                                 arguments.files.front(), a.placeText()));
   }
+}
+
+// Returns whether B is one picture with variances.
+bool hasPicture(const CompareArguments& arguments, const Side& b) {
+  return b.renders.count() == 1 && !arguments.paired &&
+         (!arguments.othersVariance.empty() || !b.last.luminanceVariance.empty());
+}
+
+void requireVariances(const std::string& file, const image::Image& render) {
+  if (const auto reason = verify::whyNotMeasured(file + ":", render)) throw FileError(*reason);
+}
+
+// Completes the picture by the options.
+void completePicture(const CompareArguments& arguments, image::Image& picture) {
+  const std::string& file = arguments.others.front();
+  if (!arguments.othersVariance.empty()) {
+    try {
+      takeVariances(picture, image::readImage(arguments.othersVariance));
+    } catch (const FileError& error) {
+      throw FileError(fmt::format("{}: {}", arguments.othersVariance.string(), error.what()));
+    }
+  }
+  if (arguments.othersSamples) picture.sampleCounts.assign(picture.rgb.size(), *arguments.othersSamples);
+  if (picture.sampleCounts.empty()) {
+    throw UsageError(fmt::format("{}: its variances need its number of samples per pixel; {} states it", file,
+                                 settingWords("with-spp")));
+  }
+  requireVariances(file, picture);
+}
+
+verify::SamplesOfA samplesOf(const CompareArguments& arguments, Side& a) {
+  const std::string& file = arguments.files.front();
+  const std::size_t pixels = a.last.rgb.size();
+  if (arguments.setSamples) {
+    const std::uint64_t all = std::uint64_t{*arguments.setSamples} * a.renders.count();
+    a.sampleCounts.assign(
+        pixels, static_cast<std::uint32_t>(std::min<std::uint64_t>(all, std::numeric_limits<std::uint32_t>::max())));
+  }
+  if (a.sampleCounts.empty()) {
+    throw UsageError(
+        fmt::format("{}: a comparison with one picture needs its number of samples per pixel; {} states it", file,
+                    settingWords("set-spp")));
+  }
+  if (a.renders.count() > 1) return {a.sampleCounts};
+  a.last.sampleCounts = a.sampleCounts;
+  if (!verify::carriesVariance(a.last)) {
+    throw UsageError(
+        fmt::format("{}: it has no variances, and a single render without them does not show its noise; "
+                    "compare at least two renders with different seeds",
+                    file));
+  }
+  requireVariances(file, a.last);
+  return {a.sampleCounts, a.last.luminanceVariance};
+}
+
+void requireOtherSeeds(const CompareArguments& arguments, const Side& a, const Side& b) {
+  if (b.seeds.empty() || std::ranges::find(a.seeds, b.seeds.front()) == a.seeds.end()) return;
+  throw UsageError(
+      fmt::format("{}: a render that it is compared with has the same seed, {}, but their noise must be "
+                  "independent",
+                  arguments.others.front(), b.seeds.front()));
+}
+
+verify::SetTestResult compareSides(const CompareArguments& arguments, Side& a, Side& b) {
+  const verify::SetTestOptions options{arguments.paired ? verify::SetDesign::paired : verify::SetDesign::independent,
+                                       arguments.verification.alpha, arguments.verification.maxOverlooked()};
+  if (!hasPicture(arguments, b)) {
+    for (const char* option : {"--with-spp", "--set-spp", "--with-variance"}) {
+      if (arguments.given.contains(option))
+        throw UsageError(fmt::format("{} is for a comparison with one picture that has variances", option));
+    }
+    return testRenderSets(a.renders, b.renders, options);
+  }
+  requireOtherSeeds(arguments, a, b);
+  completePicture(arguments, b.last);
+  return testAgainstPicture(a.renders, samplesOf(arguments, a), b.last, options);
 }
 
 void requireSettings(const CompareArguments& arguments) {
@@ -120,14 +219,11 @@ ExitCode compareRenderSets(const CompareArguments& arguments, const Log& log) {
   }
   if (!arguments.report.empty()) requireWritableFile(arguments.report);
   requireWritableReport(arguments.json);
-  const Side a = readSide(arguments.files, log);
-  const Side b = readSide(arguments.others, log);
+  Side a = readSide(arguments.files, log);
+  Side b = readSide(arguments.others, log);
   requireMatching(arguments, a.renders, b.renders);
   noteSharedSeeds(arguments, a.renders, b.renders, log);
-  const verify::SetTestResult result = testRenderSets(
-      a.renders, b.renders,
-      {arguments.paired ? verify::SetDesign::paired : verify::SetDesign::independent, arguments.verification.alpha,
-       arguments.verification.maxOverlooked()});
+  const verify::SetTestResult result = compareSides(arguments, a, b);
 
   if (!arguments.differenceFile.empty() || !arguments.flipFile.empty() || !arguments.report.empty()) {
     writePictures(arguments, renderSetReport(arguments, a.renders, b.renders, result));

@@ -28,6 +28,17 @@ std::string compareCommand(const CompareArguments& arguments) {
   return command;
 }
 
+std::vector<report::Figure> figuresOf(const verify::SetTestResult& result) {
+  std::vector<report::Figure> figures{
+      {"Design", verify::kSetDesignNames[static_cast<std::size_t>(result.options.design)]},
+      {"p-value of all tests together", fmt::format("{:.2g}, level {:g}", result.pValue, result.options.alpha)}};
+  if (result.options.design == verify::SetDesign::picture) return figures;
+  figures.push_back({"Smallest p-value of so many renders", fmt::format("{:.2g}", result.minPValue)});
+  figures.push_back({"Divisions of the renders",
+                     fmt::format("{}{}", result.divisions, result.isExhaustive ? ", which are all" : ", at random")});
+  return figures;
+}
+
 }  // namespace
 
 report::Report renderSetReport(const CompareArguments& arguments, const verify::RenderSet& a,
@@ -44,12 +55,7 @@ report::Report renderSetReport(const CompareArguments& arguments, const verify::
   page.comparison = compareImages(page.a, page.b);
   page.flip = computeFlip(displayed(page.a, page.display), displayed(page.b, page.display));
   page.tests = result;
-  page.figures = {
-      {"Design", arguments.paired ? "paired renders" : "independent renders"},
-      {"p-value of all tests together", fmt::format("{:.2g}, level {:g}; at least {:.2g} for these numbers of renders",
-                                                    result.pValue, result.options.alpha, result.minPValue)},
-      {"Divisions of the renders",
-       fmt::format("{}{}", result.divisions, result.isExhaustive ? ", which are all" : ", at random")}};
+  page.figures = figuresOf(result);
   page.facts = {{"Renders", fmt::to_string(a.count()), fmt::to_string(b.count())},
                 {"Files", filesText(arguments.files), filesText(arguments.others)}};
   page.commands = {compareCommand(arguments)};

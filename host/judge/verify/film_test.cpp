@@ -25,8 +25,44 @@ Variances largerOf(const Variances& a, const Variances& b) {
   return larger;
 }
 
-// `variances` are those of one sample.
-statistics::Estimate estimateRegion(const image::Image& image, const Variances& variances, const Region& region) {
+bool isUsable(const image::Image& image, std::size_t pixel) {
+  const glm::vec3& rgb = image.rgb[pixel];
+  const float variance = image.luminanceVariance[pixel];
+  return std::isfinite(rgb.r) && std::isfinite(rgb.g) && std::isfinite(rgb.b) && std::isfinite(variance) &&
+         variance >= 0;
+}
+
+std::optional<std::string> whyNotTestable(const std::string& name, const image::Image& image) {
+  if (const auto reason = whyNotMeasured(name, image)) return reason;
+  if (image.metadata.contains(kSeedMetadata)) return std::nullopt;
+  return fmt::format("{} does not state its seed ({}), and the test requires images of different seeds", name,
+                     kSeedMetadata);
+}
+
+// Returns the p-value of the whole test, from that of one of its regions.
+double pValueOf(const RegionResult& result, std::size_t tests) {
+  return -std::expm1(static_cast<double>(tests) * std::log1p(-result.test.pValue));
+}
+
+}  // namespace
+
+std::optional<std::string> whyNotMeasured(const std::string& name, const image::Image& image) {
+  if (const auto bias = image.metadata.find(kBiasMetadata); bias != image.metadata.end()) {
+    return fmt::format("{} is biased on purpose ({}: {})", name, kBiasMetadata, bias->second);
+  }
+  if (!carriesVariance(image))
+    return name + " has no variances and sample counts; EXR files of candela render have them";
+  for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
+    if (image.sampleCounts[pixel] < 2)
+      return fmt::format("{} has pixels with fewer than two samples: render it with a larger {}", name,
+                         settingWords("spp"));
+    if (!isUsable(image, pixel)) return name + " has values that are not finite, or a negative variance";
+  }
+  return std::nullopt;
+}
+
+statistics::Estimate estimateRegion(const image::Image& image, const std::vector<float>& variances,
+                                    const Region& region) {
   double sum = 0;
   double squaredError = 0;
   double uncertainty = 0;  // half the variance of the squared error
@@ -44,39 +80,6 @@ statistics::Estimate estimateRegion(const image::Image& image, const Variances& 
   const double freedom = uncertainty > 0 ? squaredError * squaredError / uncertainty : 1;
   return {sum / pixels, squaredError / (pixels * pixels), freedom};
 }
-
-bool isUsable(const image::Image& image, std::size_t pixel) {
-  const glm::vec3& rgb = image.rgb[pixel];
-  const float variance = image.luminanceVariance[pixel];
-  return std::isfinite(rgb.r) && std::isfinite(rgb.g) && std::isfinite(rgb.b) && std::isfinite(variance) &&
-         variance >= 0;
-}
-
-std::optional<std::string> whyNotTestable(const std::string& name, const image::Image& image) {
-  if (const auto bias = image.metadata.find(kBiasMetadata); bias != image.metadata.end()) {
-    return fmt::format("{} is biased on purpose ({}: {})", name, kBiasMetadata, bias->second);
-  }
-  if (!carriesVariance(image))
-    return name + " has no variances and sample counts; EXR files of candela render have them";
-  if (!image.metadata.contains(kSeedMetadata)) {
-    return fmt::format("{} does not state its seed ({}), and the test requires images of different seeds", name,
-                       kSeedMetadata);
-  }
-  for (std::size_t pixel = 0; pixel < image.rgb.size(); ++pixel) {
-    if (image.sampleCounts[pixel] < 2)
-      return fmt::format("{} has pixels with fewer than two samples: render it with a larger {}", name,
-                         settingWords("spp"));
-    if (!isUsable(image, pixel)) return name + " has values that are not finite, or a negative variance";
-  }
-  return std::nullopt;
-}
-
-// Returns the p-value of the whole test, from that of one of its regions.
-double pValueOf(const RegionResult& result, std::size_t tests) {
-  return -std::expm1(static_cast<double>(tests) * std::log1p(-result.test.pValue));
-}
-
-}  // namespace
 
 bool carriesVariance(const image::Image& image) {
   return !image.luminanceVariance.empty() && !image.sampleCounts.empty();

@@ -11,6 +11,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host/image/image.h"
 #include "host/judge/verify/light_test.h"
@@ -37,6 +38,15 @@ struct FilmTestResult : RegionTests {
 
 /// Returns whether an image has variances and counts.
 bool carriesVariance(const image::Image& image);
+
+/// Returns why an image, which a clause calls `name`, has no usable statistics, or nothing if it has: variances, at
+/// least two samples in every pixel, finite values, and no bias on purpose.
+std::optional<std::string> whyNotMeasured(const std::string& name, const image::Image& image);
+
+/// Returns the mean luminance of a region, with its error from `variances` of one sample of each pixel and the image's
+/// numbers of samples.
+statistics::Estimate estimateRegion(const image::Image& image, const std::vector<float>& variances,
+                                    const Region& region);
 
 /// Returns why two images of equal size cannot be tested, as a clause about "A" and "B", or nothing if they can. Both
 /// need variances, at least two samples in every pixel, finite values, no bias on purpose, and different seeds that are

@@ -29,6 +29,8 @@ std::string lineOf(const RegionResult& result) {
 
 std::string setsText(const SetTestResult& result) {
   if (result.options.design == SetDesign::paired) return counted(result.countA, "pair");
+  if (result.options.design == SetDesign::picture)
+    return counted(result.countA, "render") + " of A and one picture with variances";
   return fmt::format("{} of A and {} of B", counted(result.countA, "render"), result.countB);
 }
 
@@ -112,14 +114,16 @@ nlohmann::ordered_json toJson(const SetTestResult& result) {
   nlohmann::ordered_json json{{"agrees", agreesJson(result.conclusion())},
                               {"verdict", result.verdict()},
                               {"undecided", doubtJson(result.doubt(), result.image(), result.options.maxOverlooked)},
-                              {"design", result.options.design == SetDesign::paired ? "paired" : "independent"},
+                              {"design", kSetDesignNames[static_cast<std::size_t>(result.options.design)]},
                               {"rendersOfA", result.countA},
                               {"rendersOfB", result.countB},
                               {"alpha", result.options.alpha},
-                              {"pValue", result.pValue},
-                              {"minPValue", result.minPValue},
-                              {"divisions", result.divisions},
-                              {"allDivisions", result.isExhaustive}};
+                              {"pValue", result.pValue}};
+  if (result.options.design != SetDesign::picture) {
+    json["minPValue"] = result.minPValue;
+    json["divisions"] = result.divisions;
+    json["allDivisions"] = result.isExhaustive;
+  }
   for (const RegionResult& region : result.regions) json["regions"].push_back(regionOf(region));
   return json;
 }

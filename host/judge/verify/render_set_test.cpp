@@ -45,7 +45,7 @@ statistics::WelchTest untested(double difference) { return {difference, std::num
 class RegionTest {
  public:
   RegionTest(const RenderSet& a, const RenderSet& b, const SetTestOptions& options)
-      : a_(a), b_(b), precision_(std::exp2(-double{1} * bits())) {
+      : a_(a), b_(b), rounding_(roundingOf(bits())) {
     if (options.design == SetDesign::paired) differences_ = differencesOf(a.means(), b.means());
   }
 
@@ -58,7 +58,7 @@ class RegionTest {
       for (const auto& row : set->means()) sum += row[region];
     }
     const double mean = sum / static_cast<double>(a_.count() + b_.count());
-    return std::max(kRelativeTolerance, precision_) * std::abs(mean) + kAbsoluteTolerance;
+    return rounding_ * std::abs(mean) + kAbsoluteTolerance;
   }
 
   RegionResult resultOf(std::size_t region, double margin) const {
@@ -91,7 +91,7 @@ class RegionTest {
 
   const RenderSet& a_;
   const RenderSet& b_;
-  double precision_;
+  double rounding_;
   Rows differences_;
 };
 
@@ -145,6 +145,10 @@ SetTestResult testRenderSets(const RenderSet& a, const RenderSet& b, const SetTe
     }
   }
   return result;
+}
+
+double roundingOf(std::uint32_t significandBits) {
+  return std::max(kRelativeTolerance, std::exp2(-double{1} * significandBits));
 }
 
 std::size_t minRenders(SetDesign design, double alpha) {

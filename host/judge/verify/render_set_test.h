@@ -5,6 +5,8 @@
 // values are the means of regions (docs/testing.md) in each render, and a permutation test
 // (host/base/statistics/permutation.h) compares all regions together.
 #pragma once
+#include <array>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -14,8 +16,9 @@
 namespace candela::verify {
 
 /// independent: all renders have random numbers of their own; paired: render i of A and render i of B belong together,
-/// for example because they have the same seed.
-enum class SetDesign : std::uint8_t { independent, paired };
+/// for example because they have the same seed; picture: B is one picture with variances (picture_test.h).
+enum class SetDesign : std::uint8_t { independent, paired, picture };
+inline constexpr std::array<const char*, 3> kSetDesignNames{"independent", "paired", "picture"};
 
 struct SetTestOptions {
   SetDesign design = SetDesign::independent;
@@ -30,8 +33,8 @@ struct SetTestResult : RegionTests {
   std::size_t countA = 0, countB = 0;  ///< renders
   std::uint32_t significandBits = 24;  ///< of the least precise file
   double pValue = 1;                   ///< of the whole test
-  double minPValue = 1;                ///< the smallest one that so many renders can have
-  std::uint64_t divisions = 1;         ///< of the renders that were evaluated
+  double minPValue = 1;                ///< the smallest one that so many renders can have; 0 for a picture
+  std::uint64_t divisions = 1;         ///< of the renders that were evaluated; 0 for a picture
   bool isExhaustive = true;            ///< these are all divisions
   bool hasEqualPairs = false;          ///< the renders of each pair are equal in all regions, so that nothing is open
 
@@ -53,6 +56,9 @@ RelativeDifference relativeDifferenceOf(const RegionResult& result);
 
 /// Tests two sets of at least one render each, with equal windows and frames. Pairs need equal numbers of renders.
 SetTestResult testRenderSets(const RenderSet& a, const RenderSet& b, const SetTestOptions& options);
+
+/// Returns the relative difference that rounding may cause in files of this precision.
+double roundingOf(std::uint32_t significandBits);
 
 /// Returns the smallest number of renders on each side, or of pairs, that can have a p-value of at most `alpha`.
 std::size_t minRenders(SetDesign design, double alpha);

@@ -143,6 +143,41 @@ TEST_CASE("files that cannot be renders of a set are refused by name, and nothin
   CHECK_FALSE(std::filesystem::exists(page));
 }
 
+TEST_CASE("renders are compared with one picture that has variances, and numbers of samples must be known") {
+  const TemporaryFolder folder;
+  const Words a = renderSet(folder, "a", 1, 6), bright = renderSet(folder, "bright", 21, 6, "5 5 5");
+  const std::string picture = folder.path("picture.exr");
+  REQUIRE(runCandela({folder.path("a.p3f"), "-o", picture, "--device", "cpu", "--seed", "50", "--spp", "256",
+                      "--sampler", "independent", "-q"})
+              .exitCode == 0);
+  const ProgramResult same = runCandela(words(a, {picture}, {"--bias", "60%"}));
+  CHECK(same.exitCode == 0);
+  CHECK_THAT(same.out, Contains("6 renders of A and one picture with variances, 5 tests together"));
+  CHECK(runCandela(words(bright, {picture}, {"--alpha", "1%"})).exitCode == 3);
+  CHECK(runCandela(words({bright[0]}, {picture})).exitCode == 3);  // variances of its own
+  CHECK_THAT(runCandela(words(a, {a[0]})).err, Contains("has the same seed, 1"));
+  const json report = json::parse(runCandela(words(a, {picture}, {"--json", "-"})).out);
+  CHECK(report["design"] == "picture");
+
+  const Words grey = greySet(folder, "grey", {1, 2, 3});
+  const std::string plain = writeConstant(folder, "plain.pfm", 2),
+                    variance = writeConstant(folder, "variance.exr", 100);
+  CHECK_THAT(runCandela(words(grey, {plain}, {"--with-spp", "4"})).err,
+             Contains("--with-spp is for a comparison with one picture"));
+  CHECK_THAT(runCandela(words(grey, {plain}, {"--with-variance", variance})).err,
+             Contains("plain.pfm: its variances need its number of samples per pixel; --with-spp"));
+  CHECK_THAT(runCandela(words(grey, {plain}, {"--with-variance", variance, "--with-spp", "1000"})).err,
+             Contains("grey0.pfm: a comparison with one picture needs its number of samples per pixel; --set-spp"));
+  const Words known{"--with-variance", variance, "--with-spp", "1000", "--set-spp", "8"};
+  CHECK(runCandela(words(grey, {plain}, known)).exitCode == 8);
+  CHECK_THAT(runCandela(words({grey[0]}, {plain}, known)).err,
+             Contains("a single render without them does not show its noise"));
+  CHECK_THAT(
+      runCandela(words(grey, {plain}, {"--with-variance", writeConstant(folder, "bad.exr", -1), "--with-spp", "9"}))
+          .err,
+      Contains("bad.exr: a variance of luminance is negative"));
+}
+
 TEST_CASE("options that two sets do not have are refused with the reason") {
   const TemporaryFolder folder;
   const Words a = greySet(folder, "a", {1, 2}), b = greySet(folder, "b", {3, 4, 5});

@@ -29,6 +29,7 @@ class MadeRender {
       : options_(options),
         random_(seed),
         sums_(std::size_t{options.side} * options.side),
+        squares_(std::size_t{options.side} * options.side),
         weights_(std::size_t{options.side} * options.side) {
     for (std::uint32_t y = 0; y < options.side; ++y) {
       for (std::uint32_t x = 0; x < options.side; ++x) {
@@ -37,11 +38,24 @@ class MadeRender {
     }
   }
 
+  /// Returns the picture with the variances of one sample, from moments that are filtered as the colours are.
+  image::Image imageWithVariances() const {
+    image::Image image = this->image();
+    const double scale = options_.factor * image::luminance(kColour);
+    for (std::size_t i = 0; i < sums_.size(); ++i) {
+      const double mean = sums_[i] / weights_[i];
+      image.luminanceVariance.push_back(
+          static_cast<float>(scale * scale * std::max(0.0, squares_[i] / weights_[i] - mean * mean)));
+    }
+    image.sampleCounts.assign(sums_.size(), options_.samples);
+    return image;
+  }
+
   image::Image image() const {
     image::Image image;
     image.width = image.height = options_.side;
     for (std::size_t i = 0; i < sums_.size(); ++i) {
-      image.rgb.push_back(glm::vec3(options_.factor * sums_[i] / weights_[i] * glm::dvec3(1, 0.8, 0.6)));
+      image.rgb.push_back(glm::vec3(options_.factor * sums_[i] / weights_[i] * kColour));
     }
     return image;
   }
@@ -76,6 +90,7 @@ class MadeRender {
     }
   }
 
+  static constexpr glm::dvec3 kColour{1, 0.8, 0.6};
   static constexpr std::size_t kTaps = 4;
   using Weights = std::array<double, kTaps>;
 
@@ -91,6 +106,7 @@ class MadeRender {
 
   void add(std::uint32_t x, std::uint32_t y, double weight, double value) {
     sums_[std::size_t{y} * options_.side + x] += weight * value;
+    squares_[std::size_t{y} * options_.side + x] += weight * value * value;
     weights_[std::size_t{y} * options_.side + x] += weight;
   }
 
@@ -98,7 +114,7 @@ class MadeRender {
   std::mt19937 random_;
   std::uniform_real_distribution<double> uniform_;
   std::exponential_distribution<double> exponential_;
-  std::vector<double> sums_, weights_;
+  std::vector<double> sums_, squares_, weights_;
 };
 
 }  // namespace candela::verify
