@@ -3,11 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 #include "host/base/run_on_threads.h"
@@ -50,23 +48,20 @@ double binomial(std::size_t n, std::size_t k) {
 }
 
 // Student's distribution by the normal distribution of a transformed t (Wallace, Annals of Mathematical Statistics 30,
-// 1959), in a tenth of the time of the exact one.
-class Student {
- public:
-  explicit Student(double degreesOfFreedom)
-      : nu_(degreesOfFreedom), factor_((8 * nu_ + 1) / (8 * nu_ + 3) / std::numbers::sqrt2) {}
+// 1959), in a tenth of the time of the exact one. z^2 / 2 grows with t and with the degrees of freedom.
+double wallaceFactor(double nu) { return (8 * nu + 1) / (8 * nu + 3); }
 
-  // Returns P(|T| > t).
-  double tail(double t) const { return std::erfc(factor_ * std::sqrt(nu_ * std::log1p(t * t / nu_))); }
-  // Returns the t whose tail this is, in (0, 1].
-  double quantile(double tail) const {
-    const double z = boost::math::erfc_inv(tail) / factor_;
-    return std::sqrt(nu_ * std::expm1(z * z / nu_));
-  }
-
- private:
-  double nu_, factor_;
-};
+double halfSquaredZ(double squaredT, double nu) {
+  const double factor = wallaceFactor(nu);
+  return factor * factor * nu * std::log1p(squaredT / nu) / 2;
+}
+// Returns the t^2 of this z^2 / 2.
+double squaredTOf(double halfSquaredZ, double nu) {
+  const double factor = wallaceFactor(nu);
+  return nu * std::expm1(2 * halfSquaredZ / (factor * factor * nu));
+}
+// Returns P(|T| > t).
+double tailOf(double halfSquaredZ) { return std::erfc(std::sqrt(halfSquaredZ)); }
 
 // The number of divisions to evaluate, and whether these are all of `total`.
 void chooseDivisions(double total, double alpha, PermutationTest& test) {
@@ -124,8 +119,20 @@ struct Range {
   std::size_t count = 0;
 };
 
-// Writes the squares of t of a range of quantities, in the division of an index, to a buffer with room for kLanes more.
-using Statistics = std::function<void(std::uint64_t division, const Range& range, double* squaredTs)>;
+// Some of the rows: those of the smaller group, or those whose sign changes.
+using Chosen = std::vector<std::size_t>;
+
+// The divisions, of which the first is that of the data, and the statistics of quantities in them.
+class Design {
+ public:
+  virtual ~Design() = default;
+  virtual Chosen rowsOf(std::uint64_t division) const = 0;
+  // Writes the squares of t of a range of quantities to a buffer with room for kLanes more.
+  virtual void squaredTs(const Chosen& chosen, const Range& range, double* squaredTs) const = 0;
+  // Returns the degrees of freedom of one quantity, at most maxFreedom().
+  virtual double freedom(const Chosen& chosen, std::size_t quantity) const = 0;
+  virtual double maxFreedom() const = 0;
+};
 
 // The choice of the rows of the smaller group. Division 0 is that of the data.
 class GroupDivisions {
@@ -138,21 +145,21 @@ class GroupDivisions {
     return 2 * chosen == rows ? binomial(rows - 1, chosen - 1) : binomial(rows, chosen);
   }
 
-  std::vector<std::size_t> rowsOf(std::uint64_t division) const {
+  Chosen rowsOf(std::uint64_t division) const {
     if (division == 0) return firstRows();
     return isExhaustive_ ? ofRank(static_cast<double>(division)) : drawn(division);
   }
 
  private:
-  std::vector<std::size_t> firstRows() const {
-    std::vector<std::size_t> rows(chosen_);
+  Chosen firstRows() const {
+    Chosen rows(chosen_);
     std::iota(rows.begin(), rows.end(), 0);
     return rows;
   }
 
   // Returns the combination of this rank in lexicographic order.
-  std::vector<std::size_t> ofRank(double rank) const {
-    std::vector<std::size_t> rows;
+  Chosen ofRank(double rank) const {
+    Chosen rows;
     for (std::size_t row = 0; rows.size() < chosen_; ++row) {
       const double withRow = binomial(rows_ - row - 1, chosen_ - rows.size() - 1);
       if (rank < withRow) {
@@ -164,9 +171,9 @@ class GroupDivisions {
     return rows;
   }
 
-  std::vector<std::size_t> drawn(std::uint64_t division) const {
+  Chosen drawn(std::uint64_t division) const {
     Random random(seed_, division);
-    std::vector<std::size_t> rows(rows_);
+    Chosen rows(rows_);
     std::iota(rows.begin(), rows.end(), 0);
     for (std::size_t i = 0; i < chosen_; ++i) std::swap(rows[i], rows[i + random.below(rows_ - i)]);
     rows.resize(chosen_);
@@ -185,17 +192,34 @@ class WelchSums {
   WelchSums(std::size_t countA, std::size_t countB)
       : inverseA_(1 / static_cast<double>(countA)),
         inverseB_(1 / static_cast<double>(countB)),
-        weightA_(countA > 1 ? inverseA_ / static_cast<double>(countA - 1) : 0),
-        weightB_((inverseB_ + (countA > 1 ? 0 : inverseA_)) / static_cast<double>(countB - 1)) {}
+        freedomOfA_(static_cast<double>(countA) - 1),
+        freedomOfB_(static_cast<double>(countB) - 1),
+        weightA_(countA > 1 ? inverseA_ / freedomOfA_ : 0),
+        weightB_((inverseB_ + (countA > 1 ? 0 : inverseA_)) / freedomOfB_) {}
 
   double squaredT(double sum, double squares, double allSquares, double margin) const {
-    const double deviationsA = std::max(0.0, squares - sum * sum * inverseA_);
-    const double deviationsB = std::max(0.0, allSquares - squares - sum * sum * inverseB_);
-    return statistics::squaredT(sum * (inverseA_ + inverseB_), margin, deviationsA * weightA_ + deviationsB * weightB_);
+    const double error = errorOfA(sum, squares) + errorOfB(sum, allSquares - squares);
+    return statistics::squaredT(sum * (inverseA_ + inverseB_), margin, error);
   }
 
+  // Returns the degrees of freedom of Welch and Satterthwaite.
+  double freedom(double sum, double squares, double allSquares) const {
+    const double a = errorOfA(sum, squares), b = errorOfB(sum, allSquares - squares);
+    const double uncertainty = (freedomOfA_ > 0 ? a * a / freedomOfA_ : 0) + b * b / freedomOfB_;
+    return uncertainty > 0 ? std::min((a + b) * (a + b) / uncertainty, maxFreedom()) : maxFreedom();
+  }
+  double maxFreedom() const { return freedomOfA_ + freedomOfB_; }
+
  private:
+  double errorOfA(double sum, double squares) const {
+    return std::max(0.0, squares - sum * sum * inverseA_) * weightA_;
+  }
+  double errorOfB(double sum, double squares) const {
+    return std::max(0.0, squares - sum * sum * inverseB_) * weightB_;
+  }
+
   double inverseA_, inverseB_;
+  double freedomOfA_, freedomOfB_;
   double weightA_, weightB_;  ///< of the sums of squared deviations in the squared error of the difference
 };
 
@@ -207,15 +231,15 @@ class SignDivisions {
 
   static double total(std::size_t rows) { return std::exp2(static_cast<double>(rows) - 1); }
 
-  std::vector<double> signsOf(std::uint64_t division) const {
-    std::vector<double> signs(rows_, 1);
-    if (division == 0) return signs;
+  Chosen rowsOf(std::uint64_t division) const {
+    Chosen changed;
+    if (division == 0) return changed;
     Random random(seed_, division);
     for (std::size_t i = 1; i < rows_; ++i) {
-      const bool isNegative = isExhaustive_ ? ((division >> (i - 1)) & 1) != 0 : (random.next() >> 63) != 0;
-      if (isNegative) signs[i] = -1;
+      const bool isChanged = isExhaustive_ ? ((division >> (i - 1)) & 1) != 0 : (random.next() >> 63) != 0;
+      if (isChanged) changed.push_back(i);
     }
-    return signs;
+    return changed;
   }
 
  private:
@@ -226,8 +250,8 @@ class SignDivisions {
 
 class Evaluation {
  public:
-  Evaluation(const PermutationPlan& plan, PermutationTest& test, Statistics statistics)
-      : plan_(plan), test_(test), statistics_(std::move(statistics)), student_(test.degreesOfFreedom) {
+  Evaluation(const PermutationPlan& plan, const Design& design, PermutationTest& test)
+      : plan_(plan), design_(design), test_(test) {
     std::size_t first = 0;
     for (const std::size_t count : plan.families) {
       families_.push_back({first, count});
@@ -243,39 +267,55 @@ class Evaluation {
     });
     const double data = scores.front();
     std::sort(scores.begin() + 1, scores.end(), std::greater<>());  // the others, which define the critical score
-    test_.criticalT = criticalTs(scores);
+    test_.criticalTails = criticalTailsOf(scores);
     std::sort(scores.begin(), scores.end(), std::greater<>());
     test_.pValue = fractionFrom(scores, data);
     for (const Range& family : families_) {
       for (std::size_t q = family.first; q < family.first + family.count; ++q) {
-        test_.pValues.push_back(fractionFrom(scores, score(family.count, test_.t[q])));
+        test_.pValues.push_back(fractionFrom(scores, score(family.count, test_.tails[q])));
       }
     }
   }
 
  private:
   void evaluateData() {
+    const Chosen chosen = design_.rowsOf(0);
     for (const Range& family : families_) {
       std::vector<double> squares(family.count + kLanes);
-      statistics_(0, family, squares.data());
-      for (std::size_t i = 0; i < family.count; ++i) test_.t.push_back(std::sqrt(squares[i]));
+      design_.squaredTs(chosen, family, squares.data());
+      for (std::size_t i = 0; i < family.count; ++i) {
+        test_.t.push_back(std::sqrt(squares[i]));
+        test_.tails.push_back(tailOf(halfSquaredZ(squares[i], design_.freedom(chosen, family.first + i))));
+      }
     }
   }
 
-  double score(std::size_t count, double t) const { return -std::log(static_cast<double>(count) * student_.tail(t)); }
+  static double score(std::size_t count, double tail) { return -std::log(static_cast<double>(count) * tail); }
 
   double scoreOf(std::uint64_t division) const {
-    constexpr std::size_t kBlock = 1024;  // values of a block stay in the caches
-    std::vector<double> squares(kBlock + kLanes);
+    const Chosen chosen = design_.rowsOf(division);
     double largest = -kInfinity;
     for (const Range& family : families_) {
-      double maximum = 0;
-      for (std::size_t i = 0; i < family.count; i += kBlock) {
-        const Range range{family.first + i, std::min(kBlock, family.count - i)};
-        statistics_(division, range, squares.data());
-        for (std::size_t q = 0; q < range.count; ++q) maximum = std::max(maximum, squares[q]);
+      largest = std::max(largest, score(family.count, tailOf(largestHalfSquaredZ(chosen, family))));
+    }
+    return largest;
+  }
+
+  // The degrees of freedom are calculated only for quantities that would be the largest with the most possible ones.
+  double largestHalfSquaredZ(const Chosen& chosen, const Range& family) const {
+    constexpr std::size_t kBlock = 1024;  // values of a block stay in the caches
+    std::array<double, kBlock + kLanes> squares;
+    double largest = 0, bound = 0;  // of z^2 / 2, and the t^2 that it needs at least
+    for (std::size_t i = 0; i < family.count; i += kBlock) {
+      const Range range{family.first + i, std::min(kBlock, family.count - i)};
+      design_.squaredTs(chosen, range, squares.data());
+      for (std::size_t q = 0; q < range.count; ++q) {
+        if (squares[q] <= bound) continue;
+        const double candidate = halfSquaredZ(squares[q], design_.freedom(chosen, range.first + q));
+        if (candidate <= largest) continue;
+        largest = candidate;
+        bound = squaredTOf(largest, design_.maxFreedom());
       }
-      largest = std::max(largest, score(family.count, std::sqrt(maximum)));
     }
     return largest;
   }
@@ -289,25 +329,19 @@ class Evaluation {
 
   // The data would be significant with a score above the k-th largest of the others, where k divisions are a fraction
   // alpha of all. `scores` descend after the first, which is that of the data.
-  std::vector<double> criticalTs(const std::vector<double>& scores) const {
+  std::vector<double> criticalTailsOf(const std::vector<double>& scores) const {
     const auto k = static_cast<std::size_t>(plan_.alpha * static_cast<double>(scores.size()) + kTie);
-    std::vector<double> critical;
+    std::vector<double> tails;
     for (const Range& family : families_) {
-      critical.push_back(k == 0 || k >= scores.size() ? kInfinity : tOf(scores[k], family.count));
+      const double tail = k == 0 || k >= scores.size() ? 0 : std::exp(-scores[k]) / static_cast<double>(family.count);
+      tails.push_back(std::min(tail, 1.0));
     }
-    return critical;
-  }
-
-  double tOf(double score, std::size_t count) const {
-    const double tail = std::exp(-score) / static_cast<double>(count);
-    if (tail <= 0) return kInfinity;
-    return student_.quantile(std::min(tail, 1.0));
+    return tails;
   }
 
   const PermutationPlan& plan_;
+  const Design& design_;
   PermutationTest& test_;
-  Statistics statistics_;
-  Student student_;
   std::vector<Range> families_;
 };
 
@@ -321,12 +355,105 @@ Rows paddedRows(Rows rows) {
   return rows;
 }
 
+class GroupDesign final : public Design {
+ public:
+  // `chosen` rows come first.
+  GroupDesign(CentredRows rows, std::size_t chosen, const PermutationPlan& plan, bool isExhaustive)
+      : rows_(std::move(rows)),
+        welch_(chosen, rows_.count() - chosen),
+        margins_(padded(plan.margins)),
+        divisions_(rows_.count(), chosen, isExhaustive, plan.seed) {}
+
+  Chosen rowsOf(std::uint64_t division) const override { return divisions_.rowsOf(division); }
+
+  void squaredTs(const Chosen& chosen, const Range& range, double* squaredTs) const override {
+    for (std::size_t i = 0; i < range.count; i += kLanes) {
+      const std::size_t q = range.first + i;
+      Lanes sums{}, squares{};
+      for (const std::size_t row : chosen) {
+        const double* const values = rows_.row(row) + q;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+          sums[lane] += values[lane];
+          squares[lane] += values[lane] * values[lane];
+        }
+      }
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        squaredTs[i + lane] = welch_.squaredT(sums[lane], squares[lane], rows_.squares(q + lane), margins_[q + lane]);
+      }
+    }
+  }
+
+  double freedom(const Chosen& chosen, std::size_t quantity) const override {
+    double sum = 0, squares = 0;
+    for (const std::size_t row : chosen) {
+      const double value = rows_.row(row)[quantity];
+      sum += value;
+      squares += value * value;
+    }
+    return welch_.freedom(sum, squares, rows_.squares(quantity));
+  }
+
+  double maxFreedom() const override { return welch_.maxFreedom(); }
+
+ private:
+  CentredRows rows_;
+  WelchSums welch_;
+  std::vector<double> margins_;
+  GroupDivisions divisions_;
+};
+
+class PairDesign final : public Design {
+ public:
+  PairDesign(const Rows& differences, const PermutationPlan& plan, bool isExhaustive)
+      : rows_(paddedRows(differences)),
+        margins_(padded(plan.margins)),
+        sums_(margins_.size()),
+        squares_(margins_.size()),
+        divisions_(rows_.size(), isExhaustive, plan.seed) {
+    for (const auto& row : rows_) {
+      for (std::size_t q = 0; q < row.size(); ++q) {
+        sums_[q] += row[q];
+        squares_[q] += row[q] * row[q];
+      }
+    }
+  }
+
+  Chosen rowsOf(std::uint64_t division) const override { return divisions_.rowsOf(division); }
+
+  void squaredTs(const Chosen& chosen, const Range& range, double* squaredTs) const override {
+    const auto count = static_cast<double>(rows_.size());
+    for (std::size_t i = 0; i < range.count; i += kLanes) {
+      const std::size_t q = range.first + i;
+      Lanes changed{};
+      for (const std::size_t row : chosen) {
+        const double* const values = rows_[row].data() + q;
+        for (std::size_t lane = 0; lane < kLanes; ++lane) changed[lane] += values[lane];
+      }
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const double sum = sums_[q + lane] - 2 * changed[lane];
+        const double mean = sum / count;
+        const double deviations = std::max(0.0, squares_[q + lane] - sum * mean);
+        squaredTs[i + lane] = squaredT(mean, margins_[q + lane], deviations / (count * (count - 1)));
+      }
+    }
+  }
+
+  double freedom(const Chosen&, std::size_t) const override { return maxFreedom(); }
+  double maxFreedom() const override { return static_cast<double>(rows_.size()) - 1; }
+
+ private:
+  Rows rows_;
+  std::vector<double> margins_, sums_, squares_;
+  SignDivisions divisions_;
+};
+
 // Without variance, nothing can be tested.
 PermutationTest untested(const PermutationPlan& plan) {
   PermutationTest test;
   test.t.assign(plan.margins.size(), 0);
+  test.tails.assign(plan.margins.size(), 1);
   test.pValues.assign(plan.margins.size(), 1);
-  test.criticalT.assign(plan.families.size(), kInfinity);
+  test.criticalTails.assign(plan.families.size(), 0);
   return test;
 }
 
@@ -334,67 +461,20 @@ PermutationTest untested(const PermutationPlan& plan) {
 
 PermutationTest testGroups(const Rows& a, const Rows& b, const PermutationPlan& plan) {
   if (a.size() + b.size() < 3) return untested(plan);
-  const bool isASmaller = a.size() <= b.size();
-  const CentredRows rows = isASmaller ? CentredRows(a, b) : CentredRows(b, a);
   const std::size_t chosen = std::min(a.size(), b.size());
-
   PermutationTest test;
-  test.degreesOfFreedom = static_cast<double>(rows.count()) - 2;
-  chooseDivisions(GroupDivisions::total(rows.count(), chosen), plan.alpha, test);
-  const GroupDivisions divisions(rows.count(), chosen, test.isExhaustive, plan.seed);
-  const WelchSums welch(chosen, rows.count() - chosen);
-  const std::vector<double> margins = padded(plan.margins);
-  Evaluation(plan, test, [&](std::uint64_t division, const Range& range, double* squaredTs) {
-    const std::vector<std::size_t> chosenRows = divisions.rowsOf(division);
-    for (std::size_t i = 0; i < range.count; i += kLanes) {
-      const std::size_t q = range.first + i;
-      Lanes sums{}, squares{};
-      for (const std::size_t row : chosenRows) {
-        const double* const values = rows.row(row) + q;
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-          sums[lane] += values[lane];
-          squares[lane] += values[lane] * values[lane];
-        }
-      }
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        squaredTs[i + lane] = welch.squaredT(sums[lane], squares[lane], rows.squares(q + lane), margins[q + lane]);
-      }
-    }
-  }).run();
+  chooseDivisions(GroupDivisions::total(a.size() + b.size(), chosen), plan.alpha, test);
+  const GroupDesign design(a.size() <= b.size() ? CentredRows(a, b) : CentredRows(b, a), chosen, plan,
+                           test.isExhaustive);
+  Evaluation(plan, design, test).run();
   return test;
 }
 
 PermutationTest testPairs(const Rows& differences, const PermutationPlan& plan) {
   if (differences.size() < 2) return untested(plan);
-  std::vector<double> squares(differences.front().size());
-  for (const auto& row : differences) {
-    for (std::size_t q = 0; q < row.size(); ++q) squares[q] += row[q] * row[q];
-  }
-  const Rows rows = paddedRows(differences);
-  squares = padded(squares);
-  const std::vector<double> margins = padded(plan.margins);
-
   PermutationTest test;
-  const auto count = static_cast<double>(differences.size());
-  test.degreesOfFreedom = count - 1;
   chooseDivisions(SignDivisions::total(differences.size()), plan.alpha, test);
-  const SignDivisions divisions(differences.size(), test.isExhaustive, plan.seed);
-  Evaluation(plan, test, [&](std::uint64_t division, const Range& range, double* squaredTs) {
-    const std::vector<double> signs = divisions.signsOf(division);
-    for (std::size_t i = 0; i < range.count; i += kLanes) {
-      const std::size_t q = range.first + i;
-      Lanes sums{};
-      for (std::size_t row = 0; row < rows.size(); ++row) {
-        const double* const values = rows[row].data() + q;
-        for (std::size_t lane = 0; lane < kLanes; ++lane) sums[lane] += signs[row] * values[lane];
-      }
-      for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        const double mean = sums[lane] / count;
-        const double deviations = std::max(0.0, squares[q + lane] - sums[lane] * mean);
-        squaredTs[i + lane] = squaredT(mean, margins[q + lane], deviations / (count * (count - 1)));
-      }
-    }
-  }).run();
+  Evaluation(plan, PairDesign(differences, plan, test.isExhaustive), test).run();
   return test;
 }
 

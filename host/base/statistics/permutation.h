@@ -8,13 +8,15 @@
 // is valid for any m. The data themselves are one of the divisions. Pairs exchange the sign of their differences
 // instead.
 //
-// The score of a division is the largest over families of quantities of -log(n P(|T| > t)), where n is the number of
-// quantities of the family, t the largest Welch statistic among them (Student's one-sample statistic for pairs), and T
-// has Student's distribution (by Wallace's approximation). It only makes families comparable: an image mean does not
-// have to reach what the maximum of thousands of tiles reaches by chance. It has no influence on the level, which the
-// permutation guarantees. The maximum of the score over quantities adjusts their p-values for all of them together
-// (Westfall and Young 1993). Since the statistics are studentised, the test is also asymptotically valid for groups of
-// equal means and unequal variances (Janssen, Statistics and Probability Letters 36, 1997).
+// The score of a division is the largest over families of quantities of -log(n P), where n is the number of quantities
+// of the family, and P the smallest two-sided tail probability of their Welch statistics (Student's one-sample
+// statistic for pairs), each by Student's distribution with its own degrees of freedom of Welch and Satterthwaite, in
+// Wallace's approximation. These probabilities only make quantities and families comparable: an image mean does not
+// have to reach what the maximum of thousands of tiles reaches by chance. They have no influence on the level, which
+// the permutation guarantees. The maximum of the score over quantities adjusts their p-values for all of them together
+// (Westfall and Young 1993). Since the statistics are studentised, and their distribution hardly depends on the
+// variances once the degrees of freedom are accounted for, the test is also approximately valid for groups of equal
+// means and unequal variances (Janssen, Statistics and Probability Letters 36, 1997).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -44,9 +46,9 @@ struct PermutationTest {
   double pValue = 1;            ///< of all quantities together
   std::vector<double> t;        ///< for each quantity, >= 0; infinite for a difference without any variance
   std::vector<double> pValues;  ///< for each quantity, adjusted for all of them
-  double degreesOfFreedom = 0;  ///< of the distribution that makes families comparable; 0: too few rows for any test
-  /// For each family, the t above which a quantity is significant at `alpha`; infinite if no value is.
-  std::vector<double> criticalT;
+  std::vector<double> tails;    ///< for each quantity, the tail probability of its t if it stood alone
+  /// For each family, the tail probability below which a quantity is significant at `alpha`; 0 if none is.
+  std::vector<double> criticalTails;
 };
 
 /// Tests whether two independent groups of at least one row each have equal means. The variance of a group of a single

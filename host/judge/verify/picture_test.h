@@ -13,7 +13,7 @@
 
 namespace candela::verify {
 
-/// What is known about the samples of A.
+/// The samples of A, as far as they are known.
 struct SamplesOfA {
   std::vector<std::uint32_t> counts;  ///< for each pixel, of all renders together
   std::vector<float> variances{};     ///< of the luminance of one sample; only a single render needs them

@@ -95,13 +95,15 @@ class RegionTest {
   Rows differences_;
 };
 
-void judge(RegionResult& result, double pValue, double alpha, double criticalT, double degreesOfFreedom) {
+void judge(RegionResult& result, double pValue, double alpha, double criticalTail) {
   result.test.pValue = pValue;
   result.differs = pValue <= alpha;
   if (result.referenceMean == 0) return;
   double noise = 0;
   if (result.test.standardError > 0) {
-    noise = statistics::detectableShift(criticalT, degreesOfFreedom, kPower) * result.test.standardError;
+    const double critical = criticalTail > 0 ? statistics::criticalT(criticalTail, result.test.degreesOfFreedom)
+                                             : std::numeric_limits<double>::infinity();
+    noise = statistics::detectableShift(critical, result.test.degreesOfFreedom, kPower) * result.test.standardError;
   }
   result.detectableBias = result.relative(result.margin + noise);
 }
@@ -139,8 +141,7 @@ SetTestResult testRenderSets(const RenderSet& a, const RenderSet& b, const SetTe
   for (std::size_t family = 0; family < plan.families.size(); ++family) {
     for (std::size_t i = 0; i < plan.families[family]; ++i, ++region) {
       RegionResult one = tests.resultOf(region, plan.margins[region]);
-      judge(one, permutation.pValues[region], options.alpha, permutation.criticalT[family],
-            permutation.degreesOfFreedom);
+      judge(one, permutation.pValues[region], options.alpha, permutation.criticalTails[family]);
       result.regions.push_back(one);
     }
   }

@@ -38,18 +38,18 @@ std::vector<double> valuesOf(const Rows& rows, std::size_t quantity) {
   return values;
 }
 
-// The largest Welch statistic of all quantities, by the independent implementation.
-double largestWelch(const Rows& a, const Rows& b) {
-  double largest = 0;
+// The smallest Welch p-value of all quantities, by the independent implementation.
+double smallestWelch(const Rows& a, const Rows& b) {
+  double smallest = 1;
   for (std::size_t q = 0; q < a.front().size(); ++q) {
-    largest = std::max(largest, welch(summarise(valuesOf(a, q)), summarise(valuesOf(b, q))).t);
+    smallest = std::min(smallest, welch(summarise(valuesOf(a, q)), summarise(valuesOf(b, q))).pValue);
   }
-  return largest;
+  return smallest;
 }
 
-// The fraction of all divisions whose largest Welch statistic is at least that of the data.
+// The fraction of all divisions whose smallest p-value is at most that of the data.
 double enumeratedPValue(const Rows& a, const Rows& b) {
-  const double data = largestWelch(a, b);
+  const double data = smallestWelch(a, b);
   std::vector<bool> isInB(a.size() + b.size());
   std::fill(isInB.begin() + static_cast<std::ptrdiff_t>(a.size()), isInB.end(), true);
   int divisions = 0, extreme = 0;
@@ -59,7 +59,7 @@ double enumeratedPValue(const Rows& a, const Rows& b) {
       (isInB[i] ? second : first).push_back(i < a.size() ? a[i] : b[i - a.size()]);
     }
     ++divisions;
-    extreme += largestWelch(first, second) >= data * (1 - 1e-9) ? 1 : 0;
+    extreme += smallestWelch(first, second) <= data * (1 + 1e-9) ? 1 : 0;
   } while (std::next_permutation(isInB.begin(), isInB.end()));
   return double{1} * extreme / divisions;
 }
@@ -98,6 +98,21 @@ TEST_CASE("p-values are those of a complete enumeration, for any sizes of the gr
       const Rows b = normalRows(random, static_cast<std::size_t>(countB), quantities);
       INFO(countA << " and " << countB << " rows of " << quantities);
       CHECK(testGroups(a, b, planFor(quantities)).pValue == Approx(enumeratedPValue(a, b)));
+    }
+  }
+}
+
+TEST_CASE("the tail probability of a quantity is that of Welch's test, to the accuracy of Wallace's approximation") {
+  std::mt19937 random(4);
+  for (const std::size_t countB : {std::size_t{6}, std::size_t{12}}) {
+    const Rows a = normalRows(random, 6, 20, 0.5);
+    Rows b = normalRows(random, countB, 20);
+    for (auto& row : b) row[0] *= 10;
+    const PermutationTest test = testGroups(a, b, planFor(20));
+    for (std::size_t q = 0; q < 20; ++q) {
+      const WelchTest exact = welch(summarise(valuesOf(a, q)), summarise(valuesOf(b, q)));
+      CHECK(test.t[q] == Approx(exact.t));
+      CHECK(test.tails[q] == Approx(exact.pValue).epsilon(0.05));
     }
   }
 }
@@ -178,7 +193,7 @@ TEST_CASE("a family of one quantity is not hidden by a large family") {
   CHECK(apart > 80);
 }
 
-TEST_CASE("the test is significant if and only if a quantity exceeds the critical t of its family") {
+TEST_CASE("the test is significant if and only if a quantity is beyond the critical probability of its family") {
   std::mt19937 random(17);
   int significant = 0;
   for (int run = 0; run < 200; ++run) {
@@ -186,15 +201,16 @@ TEST_CASE("the test is significant if and only if a quantity exceeds the critica
     PermutationPlan plan = planFor(12);
     plan.families = {2, 10};
     const PermutationTest test = testGroups(a, b, plan);
-    REQUIRE(test.criticalT.size() == 2);
+    REQUIRE(test.criticalTails.size() == 2);
     bool exceeds = false;
-    for (std::size_t q = 0; q < 12; ++q) exceeds = exceeds || test.t[q] > test.criticalT[q < 2 ? 0 : 1];
+    for (std::size_t q = 0; q < 12; ++q)
+      exceeds = exceeds || test.tails[q] < test.criticalTails[q < 2 ? 0 : 1] * (1 - 1e-9);
     CHECK(exceeds == (test.pValue <= 0.05));
     significant += exceeds ? 1 : 0;
   }
   CHECK(significant > 20);
   CHECK(significant < 180);
-  CHECK(std::isinf(testGroups(column({1, 2}), column({3, 4}), planFor(1)).criticalT[0]));
+  CHECK(testGroups(column({1, 2}), column({3, 4}), planFor(1)).criticalTails[0] == 0);
 }
 
 // A value that is common to all quantities of a row makes them dependent; Cauchy's distribution has no mean.

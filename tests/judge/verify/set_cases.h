@@ -12,7 +12,7 @@ struct SetCase {
   std::size_t countA, countB;
   MadeOptions a, b;
   SetDesign design = SetDesign::independent;  ///< paired: half of each render is common to its pair
-  bool hasEqualNoise = true;                  ///< a smaller set of other noise has no exact level
+  bool hasEqualNoise = true;                  ///< else the level is not exact
 };
 
 inline std::vector<SetCase> setCases() {
@@ -25,7 +25,7 @@ inline std::vector<SetCase> setCases() {
           {"5 and 9, fireflies, splatted", 5, 9, fireflies, fireflies},
           {"1 and 19, fireflies, splatted", 1, 19, fireflies, fireflies},
           {"10 pairs, infinite variance, splatted", 10, 10, heavy, heavy, SetDesign::paired},
-          {"8 and 8, of 8 and 2 samples, splatted", 8, 8, finer, splatted},
+          {"8 and 8, of 8 and 2 samples, splatted", 8, 8, finer, splatted, SetDesign::independent, false},
           {"6 and 18, of 2 and 8 samples, splatted", 6, 18, splatted, finer, SetDesign::independent, false}};
 }
 
