@@ -83,6 +83,7 @@ TEST_CASE("a single row is compared with the spread of the other group, and two 
   const PermutationTest far = testGroups(column({50}), column(others), planFor(1));
   CHECK(far.pValue == Approx(1.0 / 20));
   CHECK(far.minPValue == Approx(1.0 / 20));
+  CHECK(far.t[0] == Approx((50 - 0.9) / std::sqrt(0.01 * (19 * 20 / 12.0) * (1 + 1 / 19.0))));
   CHECK(testGroups(column({0.9}), column(others), planFor(1)).pValue == 1);
   const PermutationTest two = testGroups(column({1}), column({2}), planFor(1));
   CHECK(two.pValue == 1);
