@@ -14,9 +14,9 @@
 // Wallace's approximation. These probabilities only make quantities and families comparable: an image mean does not
 // have to reach what the maximum of thousands of tiles reaches by chance. They have no influence on the level, which
 // the permutation guarantees. The maximum of the score over quantities adjusts their p-values for all of them together
-// (Westfall and Young 1993). Since the statistics are studentised, and their distribution hardly depends on the
-// variances once the degrees of freedom are accounted for, the test is also approximately valid for groups of equal
-// means and unequal variances (Janssen, Statistics and Probability Letters 36, 1997).
+// (Westfall and Young 1993). Since the statistics are studentised, the test is also
+// asymptotically valid for groups of equal means and unequal variances (Janssen, Statistics and Probability Letters 36,
+// 1997). With few rows, unequal variances can double the rate of false alarms (docs/comparing-renderers.md).
 #pragma once
 #include <cstdint>
 #include <span>
