@@ -76,7 +76,7 @@ TEST_CASE("Lines of OBJ continue after a backslash, and end with LF, CR LF or CR
   CHECK(load(kSquare + "curv 0 1 \\\n1 2 3\nf 1 2 3\n").scene.primitives.size() == 1);
 }
 
-TEST_CASE("Colours of OBJ vertices are decoded from sRGB; vertices without are white") {
+TEST_CASE("Colours of OBJ vertices are decoded from sRGB, and vertices without are white") {
   const scene::Scene scene = sceneOf("v 0 0 0\nv 1 0 0 1 0.5 0\nv 0 1 0\nf 1 2 3\n");
   const auto half = static_cast<float>(image::srgbDecode(0.5));
   CHECK(scene.meshes[0].colours == std::vector<glm::vec4>{{1, 1, 1, 1}, {1, half, 0, 1}, {1, 1, 1, 1}});
