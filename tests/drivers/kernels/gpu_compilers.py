@@ -81,6 +81,7 @@ GENERATED = [  # kind of `candela generate`, size, options
     ("brilliants", 8, []),
     ("still-life", 8, ["--env", "sun:30,0,3"]),
     ("forest", 10, ["--env", "sun:30,0,3"]),
+    ("street", 8, ["--lights", "tree"]),
 ]
 
 
