@@ -24,9 +24,14 @@ bool namesSrgb(ByteView profile);
 Texels decodePng(ByteView file);
 Texels decodeJpeg(ByteView file);
 Texels decodeWebp(ByteView file);
+Texels decodeBmp(ByteView file);
+Texels decodeTga(ByteView file);
 Image decodeHdr(ByteView file);
 Image decodePfm(ByteView file);
 Image decodeExr(ByteView file, ImageParts parts);
+
+/// TGA files have no first bytes of their own: returns whether the header can be that of one.
+bool looksLikeTga(ByteView file);
 
 /// Encoders require images that pass checkImageSize.
 Bytes encodePng(const Pixels8& pixels);

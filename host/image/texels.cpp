@@ -1,6 +1,7 @@
 // Decodes images of integers.
 #include "host/image/texels.h"
 
+#include <algorithm>
 #include <string_view>
 
 #include "host/base/errors.h"
@@ -32,6 +33,14 @@ Texels decodeTexels(ByteView file) {
       throw FileError("an EXR file; only PNG, JPEG and WebP files are textures");
   }
   throw InternalError("an image format without a decoder");
+}
+
+Texels decodeModelTexels(ByteView file) {
+  if (formatByContent(file)) return decodeTexels(file);
+  const std::string_view start(reinterpret_cast<const char*>(file.data()), std::min<std::size_t>(file.size(), 2));
+  if (start == "BM") return decodeBmp(file);
+  if (looksLikeTga(file)) return decodeTga(file);
+  throw FileError("not a PNG, JPEG, WebP, BMP or TGA file");
 }
 
 }  // namespace candela::image

@@ -25,4 +25,8 @@ struct Texels {
 /// are not such a file, or one beyond the limits of checkImageSize().
 Texels decodeTexels(std::span<const std::byte> file);
 
+/// Decodes such a file, or a BMP or TGA file, which models in OBJ and PLY have: BMP without compression, and all kinds
+/// of TGA of 8 bits per channel or fewer.
+Texels decodeModelTexels(std::span<const std::byte> file);
+
 }  // namespace candela::image

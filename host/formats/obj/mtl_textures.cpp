@@ -127,7 +127,7 @@ MtlTextures::Image MtlTextures::readImage(const std::filesystem::path& path, con
   try {
     guard_.require(path);
     const std::string bytes = scene::readFile(path);
-    image::Texels texels = image::decodeTexels(std::as_bytes(std::span(bytes)));
+    image::Texels texels = image::decodeModelTexels(std::as_bytes(std::span(bytes)));
     hashes_.push_back(fnv1aOfText(bytes));
     return store({map.file, texels.width, texels.height, std::move(texels.rgba), std::move(texels.deepRgba)});
   } catch (const FileError& error) {

@@ -45,7 +45,7 @@ std::optional<scene::TextureImage> readImage(const TextureFile& texture, Making&
     const std::filesystem::path path = making.file.folder / texture.name;
     making.guard.require(path);
     const std::string bytes = scene::readFile(path);
-    image::Texels texels = image::decodeTexels(std::as_bytes(std::span(bytes)));
+    image::Texels texels = image::decodeModelTexels(std::as_bytes(std::span(bytes)));
     making.imageHash = fnv1aOfText(bytes);
     return scene::TextureImage{texture.name, texels.width, texels.height, std::move(texels.rgba),
                                std::move(texels.deepRgba)};
