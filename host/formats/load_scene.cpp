@@ -39,6 +39,9 @@ void orbit(scene::Scene& scene, double degrees) {
 std::string bytesOf(const std::filesystem::path& path) {
   std::string bytes = scene::readFile(path, InputKind::regularFileOrPipe);
   if (bytes.empty()) throw scene::SceneError({{path.string(), 0, 0, "the file is empty"}});
+  if (bytes.starts_with("\xfe\xff") || bytes.starts_with("\xff\xfe")) {
+    throw scene::SceneError({{path.string(), 0, 0, "the file is text in UTF-16; save it in UTF-8"}});
+  }
   return bytes;
 }
 

@@ -152,6 +152,12 @@ class Reading {
   }
 
   void reportMissing(const NamedPlace& use) {
+    if (model_.libraries.empty()) {
+      log_.warn("material", use.position,
+                fmt::format("the file names no material file (mtllib) that could define {}; its faces are grey",
+                            quote(use.name)));
+      return;
+    }
     std::vector<scene::Spelling> spellings;
     for (const Library& library : libraries_) {
       for (const MtlMaterial& material : library.content.materials) spellings.push_back({material.name, material.name});

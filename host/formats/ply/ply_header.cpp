@@ -38,7 +38,8 @@ struct Word {
   Position position;
 };
 
-/// The words of the header, line by line. All lines end as the first one does.
+/// The words of the header, line by line. All lines end as the first one does; after one that ends with LF, others may
+/// end with CR LF.
 class HeaderLines {
  public:
   explicit HeaderLines(const scene::SceneFile& file) : file_(file), rest_(file.bytes) {
@@ -56,6 +57,7 @@ class HeaderLines {
     }
     text_ = rest_.substr(0, end);
     rest_.remove_prefix(end + lineEnd_.size());
+    if (text_.ends_with('\r')) text_.remove_suffix(1);
     offset_ = 0;
     return word();
   }

@@ -80,6 +80,7 @@ TEST_CASE("NFF is recognised under any name, and read by its extension if it is 
             .spheres.size() == 1);
   CHECK(sceneOfFile("empty.NFF", "# nothing\n").primitives.empty());
   CHECK(errorOfFile("empty.NFF", "").message == "the file is empty");
+  CHECK(errorOfFile("windows.nff", "\xff\xfe#").message == "the file is text in UTF-16; save it in UTF-8");
   CHECK(contains(errorOfFile("scene.p3f", "spehre 0 0 0 1\n").message, "unknown keyword"));
 }
 

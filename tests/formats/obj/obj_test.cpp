@@ -157,6 +157,14 @@ TEST_CASE("Faults of OBJ that lenient passes over") {
         "it");
 }
 
+TEST_CASE("Materials of an OBJ that names no material file are grey, with a warning") {
+  const scene::LoadedScene loaded = load(kSquare + "usemtl Default\nf 1 2 3\nusemtl Other\nf 1 3 4\n");
+  CHECK(loaded.scene.materials.at(loaded.scene.primitives[0].material).diffuse->colour == glm::vec3(0.8f));
+  CHECK(warningsOf(loaded) ==
+        Strings{"test.obj:5:8: the file names no material file (mtllib) that could define \"Default\"; "
+                "its faces are grey (and 1 more like it)"});
+}
+
 TEST_CASE("An OBJ is recognised by its first statement, else by its extension") {
   const auto meshesOf = [](const std::string& text, const std::string& name) {
     return formats::loadScene(scene::SceneFile{text, name, "."}).scene.meshes.size();

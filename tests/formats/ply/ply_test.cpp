@@ -78,6 +78,9 @@ TEST_CASE("Lines of a PLY may end with CR LF or with CR") {
       "property uchar y\r\nproperty uchar z\r\nelement face 1\r\nproperty list uchar uchar "
       "vertex_indices\r\nend_header\r\n";
   CHECK(meshOf(crLf + std::string("\n\r\1\1\2\3\3\1\1\3\0\1\2", 13)).positions[0] == glm::vec3(10, 13, 1));
+  std::string mixed = triangle("", {"", "", ""});
+  mixed.replace(mixed.find("end_header\n"), 11, "end_header\r\n");
+  CHECK(meshOf(mixed) == meshOf(text));
 }
 
 TEST_CASE("Polygons of a PLY are triangulated, faces of fewer vertices left out") {
