@@ -51,11 +51,11 @@ const float kMinSlope = 1.0 / 1048576.0;
 
 // Moves the point of a ray at the distance that the triangle test found to where the ray meets the triangle's plane, and
 // returns the barycentric weights of p1 and p2 there (docs/light-transport.md, section 4, "Positions"). A `direction` of 0
-// moves the point along the normal instead.
-vec2 meetTriangle(inout vec3 position, vec3 direction, vec3 p0, vec3 p1, vec3 p2) {
+// moves the point along the normal instead. `normal` becomes that of the triangle.
+vec2 meetTriangle(inout vec3 position, vec3 direction, vec3 p0, vec3 p1, vec3 p2, out vec3 normal) {
   vec3 edge1 = p1 - p0;
   vec3 edge2 = p2 - p0;
-  vec3 normal = triangleNormal(edge1, edge2);
+  normal = triangleNormal(edge1, edge2);
   vec2 weights = weightsAlong(position - p0, edge1, edge2);
   precise vec3 inPlane = p0 + (weights.x * edge1 + weights.y * edge2);
   precise vec3 offset = position - inPlane;

@@ -29,8 +29,9 @@ float opacityAt(Attributes attributes, uint kind, vec2 weights, vec2 jitter) {
 // Returns whether a ray hits a triangle that it may pass, at the distance that the intersection test has found.
 bool isThere(Ray ray, uint slot, uvec4 rows[3], float t) {
   vec3 position = ray.origin + t * ray.direction;
+  vec3 normal;
   vec2 weights = meetTriangle(position, ray.direction, uintBitsToFloat(rows[0].xyz), uintBitsToFloat(rows[1].xyz),
-                              uintBitsToFloat(rows[2].xyz));
+                              uintBitsToFloat(rows[2].xyz), normal);
   vec3 numbers = toUnit(pcg4d(uvec4(ray.opacityKey, indexOf(rows), 0u, 0u))).xyz;
   uint index = kHasInstances ? sceneRow(primitiveRow(slot) + 1u).w : indexOf(rows);  // `rows` may have been placed
   Attributes attributes = attributesOf(rows[0].w, index);

@@ -40,8 +40,7 @@ void smoothTriangle(inout Surface surface, Attributes attributes, vec2 weights) 
 
 // `direction` is that of the ray, or 0 if it hit the triangle at once. `geometry` and `index` are those of the triangle's records.
 void triangleSurface(inout Surface surface, vec3 direction, vec3 p0, vec3 p1, vec3 p2, uint geometry, uint index) {
-  vec2 weights = meetTriangle(surface.position, direction, p0, p1, p2);
-  surface.outward = triangleNormal(p1 - p0, p2 - p0);
+  vec2 weights = meetTriangle(surface.position, direction, p0, p1, p2, surface.outward);
   surface.shading = surface.outward;
   if (kHasTriangleLights) surface.light = lightOf(geometry, index);
   Attributes attributes = attributesOf(geometry, index);
