@@ -14,11 +14,6 @@ namespace {
 constexpr std::uint32_t kFileHeader = 14, kCoreHeader = 12, kInfoHeader = 40, kHeaderWithAlpha = 56, kMaxHeader = 124;
 enum Compression : std::uint32_t { kNone = 0, kBitFields = 3, kAlphaBitFields = 6 };
 
-std::uint32_t takeHalf(ByteCursor& cursor) {
-  const std::uint32_t low = cursor.takeByte();
-  return low | std::uint32_t{cursor.takeByte()} << 8;
-}
-
 struct BmpHeader {
   std::uint32_t dataOffset = 0;
   std::uint32_t size = 0;  ///< of the header after that of the file
@@ -53,15 +48,15 @@ BmpHeader readHeader(ByteView file) {
   header.dataOffset = cursor.takeWord();
   header.size = cursor.takeWord();
   if (header.size == kCoreHeader) {
-    const std::uint32_t width = takeHalf(cursor);
-    readSides(width, takeHalf(cursor), header);
+    const std::uint32_t width = cursor.takeHalf();
+    readSides(width, cursor.takeHalf(), header);
     cursor.take(2);  // planes
-    header.bits = takeHalf(cursor);
+    header.bits = cursor.takeHalf();
   } else if (header.size >= kInfoHeader && header.size <= kMaxHeader) {
     const std::uint32_t width = cursor.takeWord();
     readSides(width, cursor.takeWord(), header);
     cursor.take(2);
-    header.bits = takeHalf(cursor);
+    header.bits = cursor.takeHalf();
     header.compression = cursor.takeWord();
     cursor.take(12);  // the size of the data, and the resolution
     header.colours = cursor.takeWord();

@@ -22,6 +22,12 @@ class ByteCursor {
     return taken;
   }
 
+  /// Returns the next two bytes as a little-endian number.
+  std::uint32_t takeHalf() {
+    const std::uint32_t low = takeByte();
+    return low | std::uint32_t{takeByte()} << 8;
+  }
+
   /// Returns the next four bytes as a little-endian word.
   std::uint32_t takeWord() {
     const ByteView bytes = take(4);

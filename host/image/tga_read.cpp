@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "host/base/errors.h"
 #include "host/image/byte_cursor.h"
@@ -31,20 +32,16 @@ bool isColourSize(unsigned bits) { return bits == 15 || bits == 16 || bits == 24
 
 /// Reads the header of any 18 bytes.
 TgaHeader readHeader(ByteCursor& cursor) {
-  const auto half = [&] {
-    const std::uint32_t low = cursor.takeByte();
-    return low | std::uint32_t{cursor.takeByte()} << 8;
-  };
   TgaHeader h;
   h.idLength = cursor.takeByte();
   h.paletteKind = cursor.takeByte();
   h.type = cursor.takeByte();
-  h.firstColour = half();
-  h.colours = half();
+  h.firstColour = cursor.takeHalf();
+  h.colours = cursor.takeHalf();
   h.colourBits = cursor.takeByte();
   cursor.take(4);  // where the image is on a screen
-  h.width = half();
-  h.height = half();
+  h.width = cursor.takeHalf();
+  h.height = cursor.takeHalf();
   h.bits = cursor.takeByte();
   h.descriptor = cursor.takeByte();
   return h;
@@ -112,6 +109,19 @@ void readRuns(PixelReader& reader, ByteCursor& cursor, std::vector<std::uint32_t
   }
 }
 
+void flipRows(std::vector<std::uint32_t>& pixels, std::size_t width) {
+  const std::span all(pixels);
+  for (std::size_t top = 0, bottom = all.size() - width; top < bottom; top += width, bottom -= width) {
+    std::ranges::swap_ranges(all.subspan(top, width), all.subspan(bottom, width));
+  }
+}
+
+void mirrorRows(std::vector<std::uint32_t>& pixels, std::size_t width) {
+  for (std::size_t i = 0; i < pixels.size(); i += width) {
+    std::ranges::reverse(std::span(pixels).subspan(i, width));
+  }
+}
+
 }  // namespace
 
 bool looksLikeTga(ByteView file) {
@@ -132,17 +142,13 @@ Texels decodeTga(ByteView file) {
   const std::size_t least = header.hasRunLengths() ? (count + 127) / 128 * (1 + header.pixelSize())
                                                    : count * header.pixelSize();
   if (cursor.remaining() < least) throw FileError("the file is truncated");
-  std::vector<std::uint32_t> pixels;
+  Texels texels{header.width, header.height, {}};
+  std::vector<std::uint32_t>& pixels = texels.rgba;
   pixels.reserve(count);
   if (header.hasRunLengths()) readRuns(reader, cursor, pixels, count);
   while (pixels.size() < count) pixels.push_back(reader.next());
-  Texels texels{header.width, header.height, std::vector<std::uint32_t>(count)};
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t x = i % header.width, y = i / header.width;
-    const std::size_t column = header.isMirrored() ? header.width - 1 - x : x;
-    const std::size_t row = header.isTopDown() ? y : header.height - 1 - y;
-    texels.rgba[row * header.width + column] = pixels[i];
-  }
+  if (!header.isTopDown()) flipRows(pixels, header.width);
+  if (header.isMirrored()) mirrorRows(pixels, header.width);
   return texels;
 }
 

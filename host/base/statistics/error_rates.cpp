@@ -12,6 +12,10 @@ double sidakLevel(double alpha, std::uint64_t tests) {
   return -std::expm1(std::log1p(-alpha) / static_cast<double>(tests));
 }
 
+double sidakPValue(double pValue, std::uint64_t tests) {
+  return -std::expm1(static_cast<double>(tests) * std::log1p(-pValue));
+}
+
 double spentAlpha(double alpha, double information) { return alpha * std::log1p((std::numbers::e - 1) * information); }
 
 double levelOfLook(double alpha, std::uint32_t look, std::uint32_t looks) {

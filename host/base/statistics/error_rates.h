@@ -9,6 +9,9 @@ namespace candela::statistics {
 /// correlation. `alpha` in (0, 1), `tests` >= 1.
 double sidakLevel(double alpha, std::uint64_t tests);
 
+/// Returns the p-value of `tests` tests together, of which the smallest is `pValue`: the inverse of sidakLevel().
+double sidakPValue(double pValue, std::uint64_t tests);
+
 /// Returns the part of `alpha` that may have been spent when the fraction `information`, in [0, 1], of the planned
 /// samples is available: Lan and DeMets' spending function of Pocock type, alpha ln(1 + (e - 1) information)
 /// (Biometrika 70, 1983).

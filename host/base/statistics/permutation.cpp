@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "host/base/hash.h"
 #include "host/base/run_on_threads.h"
 
 namespace candela::statistics {
@@ -21,17 +22,12 @@ constexpr double kMaxDivisions = 1e6;
 // Scores that are equal but for rounding are equal.
 constexpr double kTie = 1e-9;
 
-// A generator with a state of its own for every division (splitmix64; Steele, Lea and Flood 2014).
+// SplitMix64 with a state of its own for every division.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t division) : state_(seed ^ (division * 0xd1342543de82ef95u)) { next(); }
 
-  std::uint64_t next() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
+  std::uint64_t next() { return splitMix(state_ += kSplitMixStep); }
   // Returns an integer below `count` < 2^32.
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(((next() >> 32) * count) >> 32); }
 
@@ -458,6 +454,12 @@ PermutationTest untested(const PermutationPlan& plan) {
 }
 
 }  // namespace
+
+std::vector<double> column(const Rows& rows, std::size_t quantity) {
+  std::vector<double> values;
+  for (const auto& row : rows) values.push_back(row[quantity]);
+  return values;
+}
 
 PermutationTest testGroups(const Rows& a, const Rows& b, const PermutationPlan& plan) {
   if (a.size() + b.size() < 3) return untested(plan);

@@ -27,6 +27,9 @@ namespace candela::statistics {
 /// One row for each render, with the values of all quantities. All rows have the same length.
 using Rows = std::vector<std::vector<double>>;
 
+/// Returns the values of one quantity.
+std::vector<double> column(const Rows& rows, std::size_t quantity);
+
 /// The smallest level for which testGroups() and testPairs() evaluate enough divisions.
 inline constexpr double kMinPermutationLevel = 1e-6;
 

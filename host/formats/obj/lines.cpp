@@ -69,4 +69,14 @@ float Lines::otherNumber(std::string_view what) {
   return 0;
 }
 
+void reportSurplus(Lines& lines, bool lenient, scene::DiagnosticLog& log) {
+  const Word surplus = lines.word();
+  const std::string message = "unexpected " + quote(surplus.text);
+  if (lenient) {
+    log.warn("surplus", surplus.position, message + "; skipped");
+  } else {
+    log.error(surplus.position, message);
+  }
+}
+
 }  // namespace candela::obj

@@ -5,8 +5,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
-#include "host/formats/loading/diagnostic.h"
+#include "host/formats/loading/diagnostic_log.h"
 
 namespace candela::obj {
 
@@ -95,5 +96,23 @@ class Lines {
   const char* lineBegin_;
   std::uint32_t line_ = 1;
 };
+
+/// Adds an error about the next word of a line, which should have ended, or with `lenient` a warning.
+void reportSurplus(Lines& lines, bool lenient, scene::DiagnosticLog& log);
+
+/// Calls `readStatement` for each line until the log is full. Adds the errors that it throws, and those of words that
+/// it leaves on the line.
+template <class Action>
+void readLines(Lines& lines, bool lenient, scene::DiagnosticLog& log, const Action& readStatement) {
+  while (!lines.isAtEnd() && !log.isFull()) {
+    try {
+      readStatement();
+      if (lines.hasWord()) reportSurplus(lines, lenient, log);
+    } catch (scene::StatementError& error) {
+      log.error(error.position, std::move(error.message));
+    }
+    lines.endLine();
+  }
+}
 
 }  // namespace candela::obj

@@ -61,15 +61,7 @@ class MtlParser {
       : lines_(text), isLenient_(lenient), log_(log) {}
 
   MtlFile parse() {
-    while (!lines_.isAtEnd() && !log_.isFull()) {
-      try {
-        readStatement();
-        requireLineEnd();
-      } catch (scene::StatementError& error) {
-        log_.error(error.position, std::move(error.message));
-      }
-      lines_.endLine();
-    }
+    readLines(lines_, isLenient_, log_, [this] { readStatement(); });
     return std::move(file_);
   }
 
@@ -263,17 +255,6 @@ class MtlParser {
   std::string_view peek() const {
     Lines ahead = lines_;
     return ahead.word().text;
-  }
-
-  void requireLineEnd() {
-    if (!lines_.hasWord()) return;
-    const Word surplus = lines_.word();
-    const std::string message = "unexpected " + quote(surplus.text);
-    if (isLenient_) {
-      log_.warn("surplus", surplus.position, message + "; skipped");
-    } else {
-      log_.error(surplus.position, message);
-    }
   }
 
   Lines lines_;

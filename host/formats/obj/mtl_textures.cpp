@@ -13,6 +13,7 @@
 #include "host/base/quote.h"
 #include "host/base/setting_words.h"
 #include "host/formats/loading/read_file.h"
+#include "host/image/film.h"
 #include "host/image/texels.h"
 
 namespace candela::obj {
@@ -52,7 +53,7 @@ std::size_t sizeOf(const TextureImage& image) { return std::size_t{image.width} 
 
 std::uint32_t luminanceOf(const Channels& c) {
   if (c[0] == c[1] && c[1] == c[2]) return c[0];
-  return static_cast<std::uint32_t>(std::lround(0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]));
+  return static_cast<std::uint32_t>(std::lround(image::luminance(glm::dvec3(c[0], c[1], c[2]))));
 }
 
 /// The channel that -imfchan names.

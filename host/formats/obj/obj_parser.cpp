@@ -93,15 +93,7 @@ class ObjParser {
       : file_(file), lines_(file.bytes), isLenient_(lenient), log_(log) {}
 
   ObjModel parse() {
-    while (!lines_.isAtEnd() && !log_.isFull()) {
-      try {
-        readStatement();
-        requireLineEnd();
-      } catch (scene::StatementError& error) {
-        log_.error(error.position, std::move(error.message));
-      }
-      lines_.endLine();
-    }
+    readLines(lines_, isLenient_, log_, [this] { readStatement(); });
     return std::move(model_);
   }
 
@@ -147,12 +139,6 @@ class ObjParser {
     } else {
       log_.error(position, message);
     }
-  }
-
-  void requireLineEnd() {
-    if (!lines_.hasWord()) return;
-    const Word surplus = lines_.word();
-    deviate("surplus", surplus.position, "unexpected " + quote(surplus.text));
   }
 
   /// x y z, or x y z w with a weight of curves, or x y z and a colour.

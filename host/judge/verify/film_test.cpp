@@ -39,11 +39,6 @@ std::optional<std::string> whyNotTestable(const std::string& name, const image::
                      kSeedMetadata);
 }
 
-// Returns the p-value of the whole test, from that of one of its regions.
-double pValueOf(const RegionResult& result, std::size_t tests) {
-  return -std::expm1(static_cast<double>(tests) * std::log1p(-result.test.pValue));
-}
-
 }  // namespace
 
 std::optional<std::string> whyNotMeasured(const std::string& name, const image::Image& image) {
@@ -121,7 +116,8 @@ std::string FilmTestResult::verdict() const {
     const RegionResult& most = mostSignificant();
     return fmt::format("A and B do NOT show the same light: the {} is {:.3f} % {} in A ({} over all tests).",
                        regionText(most.region), 100 * std::abs(most.relativeDifference()),
-                       most.test.difference > 0 ? "brighter" : "darker", pValueText(pValueOf(most, regions.size())));
+                       most.test.difference > 0 ? "brighter" : "darker",
+                       pValueText(statistics::sidakPValue(most.test.pValue, regions.size())));
   }
   if (conclusion() == Conclusion::undecided) {
     return doubtText(doubt(), image(), maxOverlooked, kFilmNames) + remedyText(doubt(), image(), "More samples");

@@ -35,7 +35,7 @@ class PictureTest {
     result.options.design = SetDesign::picture;
     for (const std::size_t index : indices_) {
       RegionResult& region = result.regions.emplace_back(resultOf(index));
-      region.test.pValue = -std::expm1(static_cast<double>(indices_.size()) * std::log1p(-region.test.pValue));
+      region.test.pValue = statistics::sidakPValue(region.test.pValue, indices_.size());
       region.differs = region.test.pValue <= options.alpha;
       result.pValue = std::min(result.pValue, region.test.pValue);
     }
@@ -58,9 +58,7 @@ class PictureTest {
   }
 
   Estimate amongRenders(std::size_t index) const {
-    std::vector<double> means;
-    for (const auto& row : a_.means()) means.push_back(row[index]);
-    return statistics::estimateOf(statistics::summarise(means));
+    return statistics::estimateOf(statistics::summarise(statistics::column(a_.means(), index)));
   }
 
   const RenderSet& a_;

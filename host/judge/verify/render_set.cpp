@@ -4,16 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "host/base/errors.h"
+#include "host/base/finite.h"
 
 namespace candela::verify {
 namespace {
-
-bool isFinite(const glm::vec3& colour) {
-  return std::isfinite(colour.r) && std::isfinite(colour.g) && std::isfinite(colour.b);
-}
 
 std::string textOfPlace(const image::PixelBox& window, const image::PixelBox& frame) {
   return window == frame ? fmt::format("the size {}x{}", frame.width, frame.height)
@@ -21,7 +17,7 @@ std::string textOfPlace(const image::PixelBox& window, const image::PixelBox& fr
 }
 
 void requireFinite(const image::Image& render) {
-  const auto bad = std::ranges::find_if_not(render.rgb, isFinite);
+  const auto bad = std::ranges::find_if_not(render.rgb, isFinite<float>);
   if (bad == render.rgb.end()) return;
   const auto index = bad - render.rgb.begin();
   throw FileError(fmt::format(

@@ -14,12 +14,6 @@ namespace {
 using statistics::Rows;
 using statistics::Summary;
 
-std::vector<double> column(const Rows& rows, std::size_t region) {
-  std::vector<double> values;
-  for (const auto& row : rows) values.push_back(row[region]);
-  return values;
-}
-
 Rows differencesOf(const Rows& a, const Rows& b) {
   Rows differences = a;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -62,8 +56,8 @@ class RegionTest {
   }
 
   RegionResult resultOf(std::size_t region, double margin) const {
-    const Summary a = statistics::summarise(column(a_.means(), region));
-    const Summary b = statistics::summarise(column(b_.means(), region));
+    const Summary a = statistics::summarise(statistics::column(a_.means(), region));
+    const Summary b = statistics::summarise(statistics::column(b_.means(), region));
     const statistics::WelchTest test = differences_.empty() ? independentTest(a, b, margin)
                                                             : pairedTest(region, margin);
     return {a_.regions()[region], a.mean, b.mean, test, margin, margin};
@@ -74,7 +68,7 @@ class RegionTest {
 
  private:
   statistics::WelchTest pairedTest(std::size_t region, double margin) const {
-    const Summary summary = statistics::summarise(column(differences_, region));
+    const Summary summary = statistics::summarise(statistics::column(differences_, region));
     return summary.count < 2 ? untested(summary.mean) : statistics::welch(estimateOf(summary), {0, 0, 1}, margin);
   }
 

@@ -173,8 +173,11 @@ class Builder {
   LightTree build() {
     const auto count = static_cast<std::uint32_t>(leaves_.size());
     inner_.resize(count - 1);
-    setTrail(0, 0);
-    if (count > 1) buildNode(0, count, 0, 0, 0);
+    if (count == 1) {
+      setTrail(0, 0);
+    } else {
+      buildNode(0, count, 0, 0, 0);
+    }
     axes_ = {};
     sortLeaves();
     return {std::move(leaves_), std::move(inner_)};

@@ -11,17 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-/// An octahedron on a square.
-const std::string kPly = R"(ply
-format ascii 1.0
-element vertex 10
-property float x
-property float y
-property float z
-element face 9
-property list uchar int vertex_indices
-end_header
-1 .1 0
+/// The vertices of an octahedron on a square.
+const std::string kVertices = R"(1 .1 0
 -1 .1 0
 0 1.1 0
 0 -.9 0
@@ -31,7 +22,19 @@ end_header
 2 -1 2
 2 -1 -2
 -2 -1 -2
-3 0 2 4
+)";
+
+const std::string kPly = R"(ply
+format ascii 1.0
+element vertex 10
+property float x
+property float y
+property float z
+element face 9
+property list uchar int vertex_indices
+end_header
+)" + kVertices +
+                         R"(3 0 2 4
 3 2 1 4
 3 1 3 4
 3 3 0 4
@@ -67,17 +70,8 @@ f 7 8 9 10
 /// The statement `mesh` of the same vertices, whose indices count from 1, and the same material.
 const std::string kNff = R"(f .8 .8 .8 1 0 0 0 0
 mesh 10 10
-1 .1 0
--1 .1 0
-0 1.1 0
-0 -.9 0
-0 .1 1
-0 .1 -1
--2 -1 2
-2 -1 2
-2 -1 -2
--2 -1 -2
-1 3 5
+)" + kVertices +
+                         R"(1 3 5
 3 2 5
 2 4 5
 4 1 5
