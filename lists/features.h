@@ -5,7 +5,7 @@
 #define CANDELA_LISTS_FEATURES_H
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in shaders/shared/specialization.h; id 106 is free.
+// use are compiled out. Other ids are in shaders/shared/specialization.h; id 107 is free.
 #define CANDELA_FEATURES(X)                                                                                 \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                              \
   X(triangles, kHasTriangles, 3)                                                                            \
@@ -22,10 +22,11 @@
   X(sphereLights, kHasSphereLights, 13) /* kinds of entries in the light table */                           \
   X(triangleLights, kHasTriangleLights, 14)                                                                 \
   X(pointLights, kHasPointLights, 15)                                                                       \
-  X(punctualLights, kHasPunctualLights, 29) /* point with fall-off, spot, directional */                    \
-  X(lightTree, kHasLightTree, 105)          /* lights are chosen by a tree */                               \
-  X(touched, kHasTouched, 95)               /* some primitive may contain a light */                        \
-  X(insideOnly, kHasInsideOnly, 26)         /* some sphere has a negative radius */                         \
+  X(punctualLights, kHasPunctualLights, 29)  /* point with fall-off, spot, directional */                   \
+  X(lightTree, kHasLightTree, 105)           /* lights are chosen by a tree */                              \
+  X(lightInstances, kHasLightInstances, 106) /* some of them are instances */                               \
+  X(touched, kHasTouched, 95)                /* some primitive may contain a light */                       \
+  X(insideOnly, kHasInsideOnly, 26)          /* some sphere has a negative radius */                        \
   X(sky, kHasSky, 16)                                                                                       \
   X(environment, kHasEnvironment, 33)                                                                       \
   X(environmentLight, kHasEnvironmentLight, 34) /* it is in the light table */                              \

@@ -49,9 +49,10 @@ Attributes attributesOf(uint geometry, uint index) {
   return Attributes(first.x, vertices, first.z, first.w, second.z, second.w);
 }
 
-// Returns the index in the light table + 1 of such a triangle, or 0 if it is not in the table.
+// Returns the index in the light table + 1 of such a triangle or of its instance, or 0 if it is not in the table.
 uint lightOf(uint geometry, uint index) {
   uvec4 second = sceneRow(geometryRow(geometry) + 1u);
+  if (kHasLightInstances && second.x > 1u) return second.x - 1u;
   return second.x != 0u ? second.y + index : 0u;
 }
 

@@ -10,6 +10,7 @@ struct LightReceiver {
   vec3 position;
   vec3 normal;
   bool transmits;  // its material can scatter light to the other side
+  float slack;     // for the rounding of the normal
 };
 
 const uint kReceiverTransmits = 1u << 30;
@@ -44,12 +45,33 @@ vec3 unpackDirection(uint word) {
 
 // Returns the receiver at a point with the word of a stored normal and kReceiverTransmits.
 LightReceiver receiverAt(vec3 position, uint word) {
-  return LightReceiver(position, unpackDirection(word), (word & kReceiverTransmits) != 0u);
+  return LightReceiver(position, unpackDirection(word), (word & kReceiverTransmits) != 0u, kNormalSlack);
 }
 
+// Returns a receiver in the space of the mesh of an instance that emits, whose first record is `row`.
+LightReceiver placedReceiver(LightReceiver receiver, uint row) {
+  vec4 columns[3] = vec4[3](sceneRowFloat(row), sceneRowFloat(row + 1u), sceneRowFloat(row + 2u));
+  vec4 inverse[3] = vec4[3](sceneRowFloat(row + 3u), sceneRowFloat(row + 4u), sceneRowFloat(row + 5u));
+  vec3 offset = receiver.position - vec3(columns[0].w, columns[1].w, columns[2].w);
+  receiver.position = vec3(dot(inverse[0].xyz, offset), dot(inverse[1].xyz, offset), dot(inverse[2].xyz, offset));
+  vec3 normal = receiver.normal;
+  receiver.normal = unit(vec3(dot(columns[0].xyz, normal), dot(columns[1].xyz, normal), dot(columns[2].xyz, normal)));
+  receiver.slack = inverse[0].w;
+  return receiver;
+}
+
+uint sceneWord(uint word) { return sceneRow(word >> 2)[word & 3u]; }
+
+// A tree that is walked.
+struct LightNodes {
+  uint firstRow;  // of the nodes
+  uint leaves;
+  uint dimensions;  // of its random numbers at vertex 1
+};
+
 // `index` counts leaves, or with `isLeaf` false, inner nodes.
-LightNode loadLightNode(uint index, bool isLeaf, uint leaves) {
-  uint row = constants.firstLightTreeRow + kLightTreeHeaderRows + kLightNodeRows * (isLeaf ? index : leaves + index);
+LightNode loadLightNode(uint index, bool isLeaf, LightNodes nodes) {
+  uint row = nodes.firstRow + kLightNodeRows * (isLeaf ? index : nodes.leaves + index);
   vec4 bounds = sceneRowFloat(row);
   uvec4 rest = sceneRow(row + 1u);
   return LightNode(bounds.xyz, bounds.w, uintBitsToFloat(rest.x), rest.y, uintBitsToFloat(rest.z), rest.w);
@@ -79,7 +101,8 @@ float lightImportance(LightNode node, LightReceiver receiver) {
   if (emitted.x < ((node.axis & kLightNodeCosine) != 0u ? 0.0 : 1.0)) return 0.0;
   float against = -dot(receiver.normal, w);
   if (receiver.transmits) against = abs(against);
-  float received = angleBeyond(withSine(against), spread).x + kNormalSlack;
+  float slack = kHasLightInstances ? receiver.slack : kNormalSlack;
+  float received = angleBeyond(withSine(against), spread).x + slack;
   return importance * emitted.x * max(0.0, received);
 }
 
@@ -93,13 +116,13 @@ struct LightBranch {
   uint threshold;
 };
 
-LightBranch branchBelow(LightNode node, uint leaves, LightReceiver receiver) {
+LightBranch branchBelow(LightNode node, LightNodes nodes, LightReceiver receiver) {
   uint middle = node.next & kLightNodeMask;
   LightBranch branch;
   branch.leftIsLeaf = (node.next & kLightNodeLeftLeaf) != 0u;
   branch.rightIsLeaf = (node.next & kLightNodeRightLeaf) != 0u;
-  branch.left = loadLightNode(middle - 1u, branch.leftIsLeaf, leaves);
-  branch.right = loadLightNode(middle, branch.rightIsLeaf, leaves);
+  branch.left = loadLightNode(middle - 1u, branch.leftIsLeaf, nodes);
+  branch.right = loadLightNode(middle, branch.rightIsLeaf, nodes);
   float left = lightImportance(branch.left, receiver);
   float right = lightImportance(branch.right, receiver);
   if (!(left > 0.0) && !(right > 0.0)) {
@@ -119,24 +142,22 @@ float branchProbability(LightBranch branch, bool right) {
 }
 
 struct LightChoice {
-  uint light;         // entry of the light table
+  uint light;         // entry of the light table; of the tree of a mesh, the triangle
   float probability;
 };
 
 // Walks down from the root. With `followsTrail`, to the light of this trail, whose probability is wanted; otherwise, by the random
-// numbers of vertex `depth`.
-LightChoice walkLightTree(LightReceiver receiver, bool followsTrail, uint trail, SampleKey key, uint depth,
-                          inout uint truncated) {
-  uvec4 header = sceneRow(constants.firstLightTreeRow);
-  bool isLeaf = header.z == 1u;
-  LightNode node = loadLightNode(0u, isLeaf, header.z);
-  float probability = uintBitsToFloat(header.y);
-  uint group = (kLightTreeDimensions + (depth - 1u) * kLightTreeDimensionCount) / kGroupSize;
+// numbers of vertex `depth`. `probability`: of the tree.
+LightChoice walkNodes(LightNodes nodes, float probability, LightReceiver receiver, bool followsTrail, uint trail,
+                      SampleKey key, uint depth, inout uint truncated) {
+  bool isLeaf = nodes.leaves == 1u;
+  LightNode node = loadLightNode(0u, isLeaf, nodes);
+  uint group = (nodes.dimensions + (depth - 1u) * kLightTreeDimensionCount) / kGroupSize;
   uvec4 numbers = uvec4(0u);
   uint level = 0u;
   uint cutShort = isLeaf ? 0u : 1u;  // docs/driver-workarounds.md section 4
   while (!isLeaf && level < kMaxTreeDepth) {
-    LightBranch branch = branchBelow(node, header.z, receiver);
+    LightBranch branch = branchBelow(node, nodes, receiver);
     if (!followsTrail && level % kGroupSize == 0u) numbers = sampleGroup(key, group + level / kGroupSize);
     bool right = followsTrail ? (trail >> level & 1u) != 0u
                               : !branch.leftAlone && numbers[level % kGroupSize] >= branch.threshold;
@@ -151,5 +172,28 @@ LightChoice walkLightTree(LightReceiver receiver, bool followsTrail, uint trail,
   truncated += cutShort;
   return LightChoice(node.next, probability);
 }
+
+LightChoice walkLightTree(LightReceiver receiver, bool followsTrail, uint trail, SampleKey key, uint depth,
+                          inout uint truncated) {
+  uint row = constants.firstLightTreeRow;
+  uvec4 header = sceneRow(row);
+  LightNodes nodes = LightNodes(row + kLightTreeHeaderRows, header.z, kLightTreeDimensions);
+  return walkNodes(nodes, uintBitsToFloat(header.y), receiver, followsTrail, trail, key, depth, truncated);
+}
+
+// Walks below the leaf of an instance that emits, whose first record is `row` and whose probability is `probability`. `triangle`:
+// with `followsTrail`, the number in its mesh.
+LightChoice walkMeshTree(uint row, float probability, LightReceiver receiver, bool followsTrail, uint triangle,
+                         SampleKey key, uint depth, inout uint truncated) {
+  uint tree = sceneRow(row + 4u).w;
+  uvec4 header = sceneRow(tree);
+  uint trail = followsTrail ? sceneWord(header.y + triangle) : 0u;
+  if (followsTrail && trail == kNoTrail) return LightChoice(triangle, 0.0);
+  LightNodes nodes = LightNodes(tree + kLightTreeHeaderRows, header.z, kMeshTreeDimensions);
+  return walkNodes(nodes, probability, placedReceiver(receiver, row), followsTrail, trail, key, depth, truncated);
+}
+
+// Returns the slot of a triangle of an instance that emits.
+uint slotOfTriangle(uint row, uint triangle) { return sceneWord(sceneRow(row + 5u).w + triangle); }
 
 #endif

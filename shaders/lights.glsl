@@ -66,7 +66,7 @@ vec3 emissionFactor(uvec4 rows[3], vec2 weights, float cosine, vec2 jitter) {
 }
 
 LightSample sampleTriangleLight(Light light, Surface from, vec2 u) {
-  if (from.slot == light.slot) return kNoLight;
+  if (from.slot == light.slot || (kHasLightInstances && light.area <= 0.0)) return kNoLight;
   uvec4 rows[3] = rowsOfSlot(light.slot);
   vec3 p0 = uintBitsToFloat(rows[0].xyz);
   vec3 edge1 = uintBitsToFloat(rows[1].xyz) - p0;
@@ -134,6 +134,20 @@ float triangleLightPdf(Light light, Ray ray, Surface emitter, float t) {
   return light.probability * t * t / (light.area * abs(dot(emitter.outward, ray.direction)));
 }
 
+// Returns whether a light is an instance that emits.
+bool isInstance(Light light) { return light.kind == kLightTriangle && light.slot == kNoSlot; }
+
+// Returns one of the triangles of such a light as a light.
+Light triangleOfInstance(Light light, uint slot, float probability) {
+  uvec4 rows[3] = rowsOfSlot(slot);
+  vec3 p0 = uintBitsToFloat(rows[0].xyz);
+  vec3 across = cross(uintBitsToFloat(rows[1].xyz) - p0, uintBitsToFloat(rows[2].xyz) - p0);
+  light.slot = slot;
+  light.area = 0.5 * sqrt(dot(across, across));
+  light.probability = probability;
+  return light;
+}
+
 // Chooses a light for a vertex at this depth, with the word of receiverAt(), by a 24-bit number, and by the numbers of
 // the light tree if there is one. `entry` becomes its index in the light table.
 Light chooseLight(vec3 position, uint receiver, uint k, SampleKey key, uint depth, out uint entry,
@@ -143,6 +157,11 @@ Light chooseLight(vec3 position, uint receiver, uint k, SampleKey key, uint dept
     entry = choice.light;
     Light light = loadLight(entry);
     light.probability = choice.probability;
+    if (kHasLightInstances && isInstance(light)) {
+      uint row = floatBitsToUint(light.area);
+      LightChoice chosen = walkMeshTree(row, choice.probability, receiverAt(position, receiver), false, 0u, key, depth, truncated);
+      light = triangleOfInstance(light, slotOfTriangle(row, chosen.light), chosen.probability);
+    }
     return light;
   }
   entry = entryChosenBy(k, truncated);
@@ -158,6 +177,13 @@ Light emitterFound(Surface emitter, vec3 position, uint receiver, inout uint tru
     light.probability = 0.0;
     if (trail != kNoTrail) {
       light.probability = walkLightTree(receiverAt(position, receiver), true, trail, SampleKey(0u, 0u, 0u, 0u), 1u, truncated).probability;
+    }
+    if (kHasLightInstances && isInstance(light)) {
+      uint row = floatBitsToUint(light.area);
+      uvec4 rows[3] = rowsOfSlot(emitter.slot);
+      uint triangle = sceneRow(geometryRow(rows[0].w) + 1u).y + indexOf(rows);
+      LightChoice found = walkMeshTree(row, light.probability, receiverAt(position, receiver), true, triangle, SampleKey(0u, 0u, 0u, 0u), 1u, truncated);
+      light = triangleOfInstance(light, emitter.slot, found.probability);
     }
   }
   return light;

@@ -111,7 +111,7 @@ void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Sh
            uvec4 numbers, inout Work work) {
   uint entry;
   Light light = chooseLight(surface.position, path.receiver, numbers.x >> 8, key, path.depth, entry, work.truncated);
-  noteLightChoice(entry);
+  noteLightChoice(entry, light);
   LightSample lit = sampleAnyLight(light, surface, numbers, key, path.depth, work);
   float pdf;
   vec3 wi = lit.wi * shading.frame;
@@ -138,7 +138,7 @@ void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Sh
   Ray ray = shadowRayFrom(surface, lit.wi, transmitted, isFixed, lit.point, distance);
   shadow = ShadowRay(true, ray, RayEnd(distance, light.slot, lit.point), radiance);
   if (kHasTransparency) shadow.ray.opacityKey = opacityKey(key, path.depth, true);
-  noteShadowRay(light, lit, pdf, weight, weighed);
+  noteShadowRay(lit, pdf, weight, weighed);
 }
 
 // Stage of the specification: samples the next direction. Returns true if the path continues.

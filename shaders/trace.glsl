@@ -29,13 +29,13 @@ void noteEmission(vec3 emission, float weight) {
   traced.emissionWeight = vec4(emission * weight, weight);
 }
 
-void noteLightChoice(uint entry) {
+void noteLightChoice(uint entry, Light light) {
   noteStage(kTracedLight);
-  traced.lightEntry = uvec4(entry, kRecordMiss, kShadowNotTraced, 0u);
+  uint primitive = light.slot != kNoSlot ? indexOf(rowsOfSlot(light.slot)) : kRecordMiss;
+  traced.lightEntry = uvec4(entry, primitive, kShadowNotTraced, 0u);
 }
 
-void noteShadowRay(Light light, LightSample lit, float bsdfPdf, float weight, vec3 radiance) {
-  if (light.slot != kNoSlot) traced.lightEntry.y = sceneRow(primitiveRow(light.slot) + 1u).w;
+void noteShadowRay(LightSample lit, float bsdfPdf, float weight, vec3 radiance) {
   traced.lightDirectionDistance = vec4(lit.wi, lit.distance);
   traced.lightDensities = vec4(lit.pdf, bsdfPdf, weight, 0.0);
   traced.lightRadiance = vec4(radiance, 0.0);
@@ -62,8 +62,8 @@ void noteRoulette(float survival) {
 #else
 #define noteSurface(ray, surface, t)
 #define noteEmission(emission, weight)
-#define noteLightChoice(entry)
-#define noteShadowRay(light, lit, bsdfPdf, weight, radiance)
+#define noteLightChoice(entry, light)
+#define noteShadowRay(lit, bsdfPdf, weight, radiance)
 #define noteShadow(shadow)
 #define noteScattering(next, direction)
 #define noteRoulette(survival)

@@ -35,6 +35,12 @@ glm::dvec3 translationOf(const Placement& placement) {
   return {placement.points[0].w, placement.points[1].w, placement.points[2].w};
 }
 
+glm::mat3 inverseOf(const Placement& placement) {
+  const glm::dmat3 linear = linearPartOf(placement);
+  const glm::dmat3 cofactors = cofactorsOf(linear);
+  return glm::mat3(glm::transpose(cofactors) / glm::dot(linear[0], cofactors[0]));
+}
+
 glm::dmat3 magnitudesOf(const glm::dmat3& m) { return {glm::abs(m[0]), glm::abs(m[1]), glm::abs(m[2])}; }
 
 glm::dmat3 cofactorsOf(const glm::dmat3& m) {

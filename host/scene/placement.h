@@ -29,6 +29,8 @@ std::optional<Placement> placementOf(const glm::dmat4& map);
 glm::dmat3 linearPartOf(const Placement& placement);
 /// Returns the translation b of a placement's points, exactly.
 glm::dvec3 translationOf(const Placement& placement);
+/// Returns the inverse of A, each entry computed in double precision and rounded once.
+glm::mat3 inverseOf(const Placement& placement);
 /// Returns a matrix with the magnitudes of the entries.
 glm::dmat3 magnitudesOf(const glm::dmat3& m);
 /// Returns det(M) times the inverse transposed, which exists for singular matrices too.

@@ -178,6 +178,12 @@ inline bool isInstance(const Scene& scene, const PrimitiveRun& run) {
          !isEmissive(scene.materials[run.start.material]);
 }
 
+/// Returns whether a run of Scene::primitives is one light of a light tree: docs/light-transport.md section 6.1.
+inline bool isEmissiveInstance(const Scene& scene, const PrimitiveRun& run) {
+  return run.start.isPlaced() && scene.primitives.countOf(run) >= kMinInstanceTriangles &&
+         isEmissive(scene.materials[run.start.material]);
+}
+
 /// Returns whether the primitive is a triangle whose vertices have normals.
 inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();

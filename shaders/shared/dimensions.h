@@ -53,6 +53,8 @@ CANDELA_DIMENSION kEnvironmentDimensionCount = 4u;
 // one for each depth of the tree.
 CANDELA_DIMENSION kLightTreeDimensions = 1u << 30;
 CANDELA_DIMENSION kLightTreeDimensionCount = 32u;
+// Those of the tree of a mesh start at kMeshTreeDimensions + (n - 1) * kLightTreeDimensionCount.
+CANDELA_DIMENSION kMeshTreeDimensions = 3u << 29;
 
 #undef CANDELA_DIMENSION
 #ifdef __cplusplus

@@ -53,12 +53,14 @@ CANDELA_CONST uint kMaterialShift = 14u;
 CANDELA_CONST uint kMaxMaterialCount = 1u << 18;
 
 // Geometries, two records each: what is common to triangles of a mesh with one placement, which are lights or whose
-// vertices have attributes: (flags, corners, normals, texture coordinates) (1 if they are lights, lights, colours,
-// tangents). `corners` + i is the index of the corners of the triangle with the primitive index i, below, or without
-// kGeometryIndexed, `corners` + 3 i is the vertex of the first of its corners, which the two others follow. `lights` +
-// i is the index of the triangle in the light table + 1. Both sums are modulo 2^32, because the triangles do not begin
-// with the primitive index 0. The others are the first records of arrays, counted from the beginning of the attributes.
-// Geometry 0, all of which is 0, is that of triangles without lights and attributes.
+// vertices have attributes: (flags, corners, normals, texture coordinates) (lit, lights, colours, tangents). `lit` is 0
+// if they are no lights, and 1 if each is a light of its own. `corners` + i is the index of the corners of the triangle
+// with the primitive index i, below, or without kGeometryIndexed, `corners` + 3 i is the vertex of the first of its
+// corners, which the two others follow. `lights` + i is the index of the triangle in the light table + 1. If they are
+// an instance that is one light, `lit` is its index in the table + 2, and `lights` + i is the triangle's number in its
+// mesh. All sums are modulo 2^32, because the triangles do not begin with the primitive index 0. The others are the
+// first records of arrays, counted from the beginning of the attributes. Geometry 0, all of which is 0, is that of
+// triangles without lights and attributes.
 CANDELA_CONST uint kGeometryRows = 2u;
 CANDELA_CONST uint kGeometryNormals = 1u;  // the vertices have normals, and so on
 CANDELA_CONST uint kGeometryTexCoords = 2u;
@@ -150,6 +152,12 @@ CANDELA_CONST uint kNoSlot = 0x07ffffffu;
 // the first leaf m of the right range and flags: the left node is leaf or inner node m - 1, the right one leaf or inner
 // node m. A light of the tree has its trail instead of its probability, and others have kNoTrail there if they are
 // emitters.
+//
+// Trees of meshes have a record (0, first word of the trails of the mesh's triangles, number n of leaves, 0), and then
+// nodes, of whose leaves next is the triangle. An instance that emits has six records: (column of A, component of b),
+// three times; (row of M, factor of the rounding of n) (row of M, first record of the tree of its mesh) (row of M,
+// first word of the slots of its triangles). Its light has the first of these records instead of the area, and kNoSlot.
+// Words are counted from the first record of the scene, four in a record.
 CANDELA_CONST uint kLightTreeHeaderRows = 1u;
 CANDELA_CONST uint kLightNodeRows = 2u;
 CANDELA_CONST uint kDirectionBits = 15u;  // of each of the two coordinates of a stored direction

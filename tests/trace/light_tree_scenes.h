@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "host/base/hash.h"
+#include "tests/trace/reference/placed_meshes.h"
 #include "tests/trace/reference/scene_builder.h"
 
 namespace candela::test {
@@ -51,11 +52,45 @@ inline scene::Scene mixedLamps(std::uint32_t count, std::uint64_t seed) {
   return b.scene;
 }
 
-/// The lamps of mixedLamps() in a closed room of 24 units, seen from a corner: its walls are diffuse and, in part,
-/// glossy, and a pane of rough glass divides it.
-inline scene::Scene litRoom(std::uint32_t count, std::uint64_t seed) {
+/// A ball of radius 1 with 80 triangles, some of which have no area, whose sizes and shapes differ.
+inline scene::Mesh unevenBall() {
+  constexpr std::uint32_t kRings = 5, kParts = 8;
+  scene::Mesh mesh;
+  for (std::uint32_t ring = 0; ring <= kRings; ++ring) {
+    const float polar = 3.14159265f * std::pow(static_cast<float>(ring) / kRings, 1.5f);
+    const float radius = ring == kRings ? 0 : std::sin(polar);
+    for (std::uint32_t part = 0; part < kParts; ++part) {
+      const float azimuth = 6.2831853f * static_cast<float>(part) / kParts;
+      mesh.positions.emplace_back(radius * std::cos(azimuth), radius * std::sin(azimuth), std::cos(polar));
+      if (ring == kRings) continue;
+      const std::uint32_t at = ring * kParts + part, next = ring * kParts + (part + 1) % kParts;
+      mesh.indices.insert(mesh.indices.end(), {at, at + kParts, next + kParts, at, next + kParts, next});
+    }
+  }
+  return mesh;
+}
+
+/// mixedLamps() and `instances` instances of one mesh, the emission of which has one of two materials, at placements
+/// that turn, shear, mirror and scale.
+inline scene::Scene lampsAndInstances(std::uint32_t count, std::uint32_t instances, std::uint64_t seed) {
   SceneBuilder b;
   b.scene = mixedLamps(count, seed);
+  RandomMaps maps(static_cast<std::uint32_t>(seed));
+  const std::uint32_t stored = storeBoth(b.scene, unevenBall());
+  const auto first = static_cast<std::uint32_t>(b.scene.materials.size());
+  b.material(diffuseMaterial(glm::vec3(0.5f), glm::vec3(4, 2, 1)));
+  b.material(diffuseMaterial(glm::vec3(0.5f), glm::vec3(0.1f, 0.2f, 0.3f)));
+  for (std::uint32_t i = 0; i < instances; ++i) {
+    addInstance(b.scene, maps.next(maps.number(0.05, 1), maps.point(9)), stored, first + i % 2);
+  }
+  return b.scene;
+}
+
+/// The lamps of lampsAndInstances() in a closed room of 24 units, seen from a corner: its walls are diffuse and, in
+/// part, glossy, and a pane of rough glass divides it.
+inline scene::Scene litRoom(std::uint32_t count, std::uint64_t seed, std::uint32_t instances = 0) {
+  SceneBuilder b;
+  b.scene = lampsAndInstances(count, instances, seed);
   b.material(mixtureMaterial(0.5f, 0.2f, 20)).box({-12, -12, -12}, {12, 12, 12});
   scene::Material pane;
   pane.surface = scene::SurfaceParameters{.roughness = 0.4f, .transmissionWeight = 0.7f};

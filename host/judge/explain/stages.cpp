@@ -185,7 +185,9 @@ class VertexStage {
   void addLight() {
     if (!device_.light && !reference_.light) return;
     addDecision("light", [](const render::VertexTrace& v) {
-      return v.light ? fmt::format("entry {}", v.light->entry) : "none";
+      if (!v.light) return std::string("none");
+      if (v.light->primitive == render::LightTrace::kPointLight) return fmt::format("entry {}", v.light->entry);
+      return fmt::format("entry {}, primitive {}", v.light->entry, v.light->primitive);
     });
     addDecision("shadow ray", [](const render::VertexTrace& v) {
       return v.light ? shadowWords(v.light->shadow) : shadowWords(render::ShadowOutcome::notTraced);

@@ -56,8 +56,9 @@ class VertexDecisions {
   static std::optional<std::uint32_t> hitOf(const VertexTrace& vertex) {
     return vertex.hit ? std::optional(vertex.hit->primitive) : std::nullopt;
   }
-  static std::optional<std::uint32_t> entryOf(const VertexTrace& vertex) {
-    return vertex.light ? std::optional(vertex.light->entry) : std::nullopt;
+  // The entry of the chosen light, and the primitive, on which instances that emit depend, too.
+  static std::optional<std::pair<std::uint32_t, std::uint32_t>> entryOf(const VertexTrace& vertex) {
+    return vertex.light ? std::optional(std::pair(vertex.light->entry, vertex.light->primitive)) : std::nullopt;
   }
   static render::ShadowOutcome shadowOf(const VertexTrace& vertex) {
     return vertex.light ? vertex.light->shadow : render::ShadowOutcome::notTraced;

@@ -41,8 +41,8 @@ render::HitTrace unpackHit(const gpu::TracedVertex& rows) {
 
 render::LightTrace unpackLight(const gpu::TracedVertex& rows) {
   return {.entry = rows.lightEntry.x,
-          .shadow = static_cast<render::ShadowOutcome>(rows.lightEntry.z),
           .primitive = rows.lightEntry.y,
+          .shadow = static_cast<render::ShadowOutcome>(rows.lightEntry.z),
           .direction = floats(rows.lightDirectionDistance),
           .distance = rows.lightDirectionDistance.w,
           .pdf = rows.lightDensities.x,

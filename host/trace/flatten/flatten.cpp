@@ -130,8 +130,9 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
   LightTable lights;
   if (!whitted) lights = buildLightTable(scene, settings.image.nextEventEstimation, settings.image.lights);
   std::optional<LightTree> tree;
-  if (lights.hasTree()) tree = buildLightTree(scene, lights.entries, settings.image.oneSided);
+  if (lights.hasTree()) tree = buildLightTree(scene, lights, settings.image.oneSided);
   flat.shape.features.lightTree = lights.hasTree();
+  flat.shape.features.lightInstances = !lights.meshes.empty();
   const std::span<const LightEntry> table = lights.entries;
   const PrimitiveMarks marks{touchedPrimitives(scene, lightPositions(scene, table, settings.image)),
                              coincidences.coincident, coincidences.ordered};
@@ -149,7 +150,7 @@ FlatScene flattenScene(const scene::Scene& scene, const render::RenderSettings& 
     appendPointLights(scene, settings.image.lightSize, flat);
     flat.constants.stateRows = treeRows(flat.shape.features, settings.image.maxDepth);
   } else {
-    appendLights(scene, table, order, flat);
+    appendLights(scene, lights, order, flat);
     if (tree) appendLightTree(*tree, lights.treeThreshold, flat);
   }
   flat.constants.firstTextureRow = rowCount(flat.rows);

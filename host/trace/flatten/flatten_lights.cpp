@@ -50,6 +50,14 @@ void appendEmitter(const scene::Scene& scene, const LightEntry& entry, std::uint
   rows.push_back(row(glm::dvec3(ball.centre), std::abs(double{ball.radius})));
 }
 
+// `record`: the first one of the instance.
+void appendInstance(const scene::Scene& scene, const LightEntry& entry, std::uint32_t record, Rows& rows) {
+  const glm::dvec3 emission(scene.materials[scene.primitives[entry.index].material].emission);
+  rows.push_back({entry.threshold, probabilityWord(entry), record, gpu::kNoSlot});
+  rows.push_back(row(emission, gpu::kLightTriangle));
+  rows.push_back({});
+}
+
 // Returns the slots of the emitters of a table, which are its first entries, in the order of their primitives.
 std::vector<std::uint32_t> slotsOf(std::span<const LightEntry> table, std::span<const std::uint32_t> order) {
   const auto emitters = std::ranges::subrange(table.begin(),
@@ -73,22 +81,27 @@ void appendLightNode(const LightNode& node, Rows& rows) {
 
 }  // namespace
 
+void appendLightNodes(const LightTree& tree, Rows& rows) {
+  for (const LightNode& node : tree.leaves) appendLightNode(node, rows);
+  for (const LightNode& node : tree.inner) appendLightNode(node, rows);
+}
+
 void appendLightTree(const LightTree& tree, std::uint32_t threshold, FlatScene& flat) {
   flat.constants.firstLightTreeRow = rowCount(flat.rows);
   const auto leaves = static_cast<std::uint32_t>(tree.leaves.size());
   flat.rows.push_back({threshold, floatBits(threshold * 0x1p-24), leaves, 0});
-  for (const LightNode& node : tree.leaves) appendLightNode(node, flat.rows);
-  for (const LightNode& node : tree.inner) appendLightNode(node, flat.rows);
+  appendLightNodes(tree, flat.rows);
 }
 
-void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> order,
+void appendLights(const scene::Scene& scene, const LightTable& table, std::span<const std::uint32_t> order,
                   FlatScene& flat) {
+  const auto instances = appendLightInstances(scene, table, order, flat);
   flat.constants.firstLightRow = rowCount(flat.rows);
-  flat.constants.lightCount = static_cast<std::uint32_t>(table.size());
-  const std::vector<std::uint32_t> slots = slotsOf(table, order);
+  flat.constants.lightCount = static_cast<std::uint32_t>(table.entries.size());
+  const std::vector<std::uint32_t> slots = slotsOf(table.entries, order);
   Rows cones;
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    const LightEntry& entry = table[i];
+  for (std::uint32_t i = 0; i < table.entries.size(); ++i) {
+    const LightEntry& entry = table.entries[i];
     if (entry.isPoint()) {
       appendPointLight(scene.pointLights[entry.index], entry, flat.rows);
     } else if (entry.isEnvironment()) {
@@ -100,6 +113,8 @@ void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, 
       if (entry.kind == LightKind::spot) {
         cones.push_back(row(glm::dvec3(light.direction), double{light.versineOuter}));
       }
+    } else if (entry.isInstance()) {
+      appendInstance(scene, entry, instances.at(i), flat.rows);
     } else {
       appendEmitter(scene, entry, slots[i], flat.rows);
     }

@@ -97,7 +97,7 @@ std::unordered_map<std::uint32_t, std::uint32_t> referencesOfLights(const scene:
                                                                     Geometries& geometries) {
   std::unordered_map<std::uint32_t, std::uint32_t> references;
   for (std::uint32_t i = 0; i < table.size(); ++i) {
-    if (!table[i].isEmitter()) continue;
+    if (!table[i].isEmitter() || table[i].isInstance()) continue;
     const std::uint32_t primitive = table[i].index, light = i + 1;
     const std::size_t run = indexOf(scene, scene.primitives.runOf(primitive));
     references[primitive] = table[i].kind == LightKind::triangle
@@ -122,7 +122,12 @@ void appendPrimitives(const scene::Scene& scene, const SlotOrder& order, std::sp
                       const PrimitiveMarks& marks, const render::ImageSettings& image, FlatScene& flat) {
   const scene::StoredPrimitives stored(scene.primitives);
   Geometries geometries(scene, image.layers.has(image::Layer::uv), flat.shape.features.longCorners);
-  const std::vector<std::uint32_t> ofRuns = geometriesOfRuns(scene, order.isInstance, geometries);
+  std::vector<std::uint32_t> ofRuns = geometriesOfRuns(scene, order.isInstance, geometries);
+  for (std::uint32_t i = 0; i < table.size(); ++i) {
+    if (!table[i].isInstance()) continue;
+    std::uint32_t& geometry = ofRuns[indexOf(scene, scene.primitives.runOf(table[i].index))];
+    geometry = geometries.ofLightInstance(geometry, table[i].index, i + 1);
+  }
   const auto references = referencesOfLights(scene, table, ofRuns, geometries);
   std::vector<std::uint32_t> ofPrototypes;
   std::size_t slotCount = order.own.size();

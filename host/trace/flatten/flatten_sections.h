@@ -2,20 +2,31 @@
 #pragma once
 #include <cstdint>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "host/trace/accel/primitive_bounds.h"
 #include "host/trace/accel/wide_bvh.h"
 #include "host/trace/flatten/flat_rows.h"
 #include "host/trace/flatten/flat_scene.h"
-#include "host/trace/flatten/light_tree.h"
+#include "host/trace/flatten/light_table.h"
 
 namespace candela::flatten {
 
 /// Appends the records of the light table, followed by the cones of its spot lights, and sets the constants that refer
 /// to them. `order`: the primitives in the order of their slots.
-void appendLights(const scene::Scene& scene, std::span<const LightEntry> table, std::span<const std::uint32_t> order,
+void appendLights(const scene::Scene& scene, const LightTable& table, std::span<const std::uint32_t> order,
                   FlatScene& flat);
+
+/// Appends the records of instances that emit and of the trees of their meshes. Returns the first record of each
+/// instance, by its entry in the table.
+std::unordered_map<std::uint32_t, std::uint32_t> appendLightInstances(const scene::Scene& scene,
+                                                                      const LightTable& table,
+                                                                      std::span<const std::uint32_t> order,
+                                                                      FlatScene& flat);
+
+/// Appends the records of the nodes of a tree.
+void appendLightNodes(const LightTree& tree, Rows& rows);
 
 /// Appends the records of a light tree, which is chosen by the numbers below a threshold in units of 2^-24.
 void appendLightTree(const LightTree& tree, std::uint32_t threshold, FlatScene& flat);

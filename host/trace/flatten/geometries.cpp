@@ -125,6 +125,13 @@ std::uint32_t Geometries::ofLight(std::uint32_t geometry, std::uint32_t primitiv
   return numberOf(record);
 }
 
+std::uint32_t Geometries::ofLightInstance(std::uint32_t geometry, std::uint32_t first, std::uint32_t light) {
+  Record record = records_[geometry];
+  record[4] = light + 1;
+  record[5] = 0u - first;
+  return numberOf(record);
+}
+
 void Geometries::fillCorners(const scene::Mesh& mesh, gpu::uvec4* rows, std::uint32_t firstRow) const {
   const std::size_t wordCount = hasLongCorners_ ? 3 : 2;  // of a triangle
   std::size_t word = wordCount * firstCorners(firstRow) - 4 * std::size_t{firstRow};

@@ -40,6 +40,10 @@ class Geometries {
   /// is its index in the table + 1.
   std::uint32_t ofLight(std::uint32_t geometry, std::uint32_t primitive, std::uint32_t light);
 
+  /// Returns that of the triangles of a run for which ofRun() returned `geometry`, if it is an instance that emits:
+  /// `first` is the index of its first primitive.
+  std::uint32_t ofLightInstance(std::uint32_t geometry, std::uint32_t first, std::uint32_t light);
+
   /// Returns the number of records that append() appends.
   std::size_t countRows() const { return gpu::kGeometryRows * records_.size() + arrayRows_; }
   /// Appends the records of all geometries, followed by their attributes, and sets the constants that refer to them.

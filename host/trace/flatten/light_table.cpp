@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
 #include "host/image/film.h"
 #include "host/scene/emission_mean.h"
@@ -34,6 +36,59 @@ LightKind kindOf(const scene::PunctualLight& light) {
   if (light.kind == scene::PunctualLight::Kind::spot) return LightKind::spot;
   return light.kind == scene::PunctualLight::Kind::directional ? LightKind::directional : LightKind::punctual;
 }
+
+bool mirrors(const scene::Placement& placement) { return glm::determinant(linearPartOf(placement)) < 0; }
+
+double luminanceOf(const scene::Scene& scene, const scene::Primitive& triangle) {
+  const glm::dvec3 emission(scene.materials[triangle.material].emission);
+  return image::luminance(emission * meanEmissionTexel(scene, triangle));
+}
+
+// Collects the meshes of instances that emit.
+class LightMeshes {
+ public:
+  explicit LightMeshes(const scene::Scene& scene) : scene_(scene) {}
+
+  // Returns the index of the mesh of an instance.
+  std::uint32_t of(const scene::PrimitiveRun& run) {
+    const bool isMirrored = mirrors(scene_.placements[run.start.placement]);
+    const std::uint32_t count = scene_.primitives.countOf(run);
+    const Key key{run.start.mesh, run.start.index, count, run.start.material, isMirrored};
+    const auto [entry, isNew] = indices_.try_emplace(key, static_cast<std::uint32_t>(meshes_.size()));
+    if (isNew) meshes_.push_back(meshOf(run, count, isMirrored));
+    return entry->second;
+  }
+
+  // Returns the weight of an instance of a mesh.
+  double power(const scene::PrimitiveRun& run, std::uint32_t mesh) const {
+    double sum = 0;
+    const LightMesh& shared = meshes_[mesh];
+    for (std::uint32_t i = 0; i < shared.luminances.size(); ++i) {
+      if (shared.intensities[i] <= 0) continue;
+      sum += triangleArea(triangleOf(scene_, run.at(run.first + i))) * shared.luminances[i];
+    }
+    return sum;
+  }
+
+  std::vector<LightMesh> release() { return std::move(meshes_); }
+
+ private:
+  using Key = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t, bool>;
+
+  LightMesh meshOf(const scene::PrimitiveRun& run, std::uint32_t count, bool isMirrored) const {
+    LightMesh mesh{run.start, isMirrored, {}, {}, {}, {}};
+    mesh.start.placement = scene::Primitive::kUnplaced;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      mesh.luminances.push_back(luminanceOf(scene_, run.at(run.first + i)));
+      mesh.intensities.push_back(triangleArea(triangleOf(scene_, mesh, i)) * mesh.luminances.back());
+    }
+    return mesh;
+  }
+
+  const scene::Scene& scene_;
+  std::map<Key, std::uint32_t> indices_;
+  std::vector<LightMesh> meshes_;
+};
 
 double punctualPower(const scene::PunctualLight& light) {
   const double reach = light.kind == scene::PunctualLight::Kind::directional ? double{light.reach} : 1.0;
@@ -90,6 +145,12 @@ double triangleArea(const scene::Triangle& triangle) {
   return 0.5 * glm::length(glm::cross(glm::dvec3(triangle.p[1]) - p0, glm::dvec3(triangle.p[2]) - p0));
 }
 
+scene::Triangle triangleOf(const scene::Scene& scene, const LightMesh& mesh, std::uint32_t triangle) {
+  scene::Primitive primitive = mesh.start;
+  primitive.index += triangle;
+  return triangleOf(scene, primitive);
+}
+
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index) {
   if (kind == LightKind::environment) return environmentPower(*scene.environment);
   if (kind == LightKind::point) return image::luminance(glm::dvec3(scene.pointLights[index].colour));
@@ -97,8 +158,7 @@ double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index
   const scene::Primitive& primitive = scene.primitives[index];
   const glm::dvec3 emission(scene.materials[primitive.material].emission);
   if (kind == LightKind::triangle) {
-    return triangleArea(triangleOf(scene, primitive)) *
-           image::luminance(emission * meanEmissionTexel(scene, primitive));
+    return triangleArea(triangleOf(scene, primitive)) * luminanceOf(scene, primitive);
   }
   const double emitted = image::luminance(emission);
   const double radius = scene.spheres[primitive.index].radius;
@@ -110,14 +170,23 @@ LightTable buildLightTable(const scene::Scene& scene, bool withEmitters, render:
   std::vector<double> weights;
   std::vector<std::size_t> groups;
   GroupValues sums{};
-  const auto add = [&](LightKind kind, std::uint32_t index) {
-    table.entries.push_back({.kind = kind, .index = index, .power = lightPower(scene, kind, index)});
+  LightMeshes meshes(scene);
+  const auto addEntry = [&](const LightEntry& entry) {
+    table.entries.push_back(entry);
     weights.push_back(table.entries.back().power);
-    groups.push_back(groupOf(kind, selection));
+    groups.push_back(groupOf(entry.kind, selection));
     sums[groups.back()] += weights.back();
+  };
+  const auto add = [&](LightKind kind, std::uint32_t index) {
+    addEntry({.kind = kind, .index = index, .power = lightPower(scene, kind, index)});
   };
   for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
     if (!withEmitters || !isEmissive(scene.materials[run.start.material])) continue;
+    if (selection == render::LightSelection::tree && isEmissiveInstance(scene, run)) {
+      const std::uint32_t mesh = meshes.of(run);
+      addEntry({.kind = LightKind::triangle, .index = run.first, .power = meshes.power(run, mesh), .mesh = mesh});
+      continue;
+    }
     const std::uint32_t end = run.first + scene.primitives.countOf(run);
     for (std::uint32_t i = run.first; i < end; ++i) {
       if (const std::optional<LightKind> kind = emitterKind(scene, run.at(i))) add(*kind, i);
@@ -127,6 +196,7 @@ LightTable buildLightTable(const scene::Scene& scene, bool withEmitters, render:
   for (std::uint32_t i = 0; i < scene.punctualLights.size(); ++i) add(kindOf(scene.punctualLights[i]), i);
   if (withEmitters && scene.environment) add(LightKind::environment, 0);
   if (sums == GroupValues{}) return {};
+  table.meshes = meshes.release();
   const GroupValues probabilities = groupProbabilities(scene, table.entries, selection, sums);
   sums[kUnhitGroup] = raiseWeights(groups, kUnhitGroup, weights, sums[kUnhitGroup]);
   for (std::size_t i = 0; i < weights.size(); ++i) {

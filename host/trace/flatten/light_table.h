@@ -2,10 +2,12 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "host/trace/flatten/light_tree.h"
 #include "host/trace/render/settings.h"
 #include "lists/light_kinds.h"
 
@@ -18,16 +20,31 @@ enum class LightKind : std::uint32_t {
 #undef CANDELA_ENUMERATE_KIND
 };
 
+/// The triangles of a mesh that emit, which instances share: docs/light-transport.md section 6.1.
+struct LightMesh {
+  scene::Primitive start;             ///< the first triangle, without a placement
+  bool mirrors;                       ///< whether the placements of its instances do
+  std::vector<double> luminances;     ///< of the emission, a triangle each
+  std::vector<double> intensities;    ///< of the triangles in the space of the mesh; 0: not in the tree
+  std::vector<std::uint32_t> trails;  ///< in the tree; gpu::kNoTrail if it is not there
+  LightTree tree;                     ///< `next` of leaves: the triangle
+};
+
 struct LightEntry {
+  static constexpr std::uint32_t kNoMesh = std::numeric_limits<std::uint32_t>::max();
+
   LightKind kind = LightKind::sphere;
-  std::uint32_t index = 0;      ///< primitive index, or index into Scene::pointLights or punctualLights
+  /// Primitive index, of an instance that of its first triangle; or index into Scene::pointLights or punctualLights.
+  std::uint32_t index = 0;
   double power = 0;             ///< as lightPower() returns it
   std::uint32_t threshold = 0;  ///< T_i, in units of 2^-24
   float probability = 0;        ///< P_i, exact; 0 for a light of the tree
   bool inTree = false;
+  std::uint32_t mesh = kNoMesh;  ///< of an instance that emits: index into LightTable::meshes
   /// Trail in the light tree; gpu::kNoTrail for a light of no power. Absent of lights that no tree has.
   std::optional<std::uint32_t> trail{};
 
+  bool isInstance() const { return mesh != kNoMesh; }
   bool isEmitter() const { return kind < LightKind::point; }
   bool isPoint() const { return kind == LightKind::point; }
   bool isPunctual() const { return kind > LightKind::point && kind < LightKind::environment; }
@@ -36,6 +53,7 @@ struct LightEntry {
 
 struct LightTable {
   std::vector<LightEntry> entries;
+  std::vector<LightMesh> meshes;    ///< their trees are empty until buildLightTree() builds them
   std::uint32_t treeThreshold = 0;  ///< T of the light tree in units of 2^-24; 0: there is none
 
   bool hasTree() const { return treeThreshold > 0; }
@@ -52,7 +70,10 @@ struct UnsampledLights {
 };
 UnsampledLights unsampledLights(const LightTable& table);
 
-/// Weight of a light in the choice within its group.
+/// Returns the vertices of a triangle of a mesh, in its space.
+scene::Triangle triangleOf(const scene::Scene& scene, const LightMesh& mesh, std::uint32_t triangle);
+
+/// Weight of a light that is not an instance in the choice within its group.
 double lightPower(const scene::Scene& scene, LightKind kind, std::uint32_t index);
 
 /// Area of a triangle, in double.

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <span>
 
+#include "host/trace/flatten/light_table.h"
 #include "shaders/shared/scene_rows.h"
 
 namespace candela::flatten {
@@ -88,22 +90,13 @@ void setPunctual(const scene::PunctualLight& light, LightNode& leaf) {
   leaf.cosine = widened(1 - double{light.versineOuter}, direction / glm::length(direction), unpackDirection(leaf.axis));
 }
 
-double intensityOf(const LightEntry& entry) { return entry.kind == LightKind::sphere ? entry.power / 4 : entry.power; }
-
-LightNode leafOf(const scene::Scene& scene, const LightEntry& entry, bool oneSided) {
-  LightNode leaf;
-  if (!entry.isEmitter()) {
-    setPunctual(scene.punctualLights[entry.index], leaf);
-    return leaf;
-  }
-  const scene::Primitive primitive = scene.primitives[entry.index];
-  if (entry.kind == LightKind::sphere) {
-    setSphere(scene.spheres[primitive.index], leaf);
-  } else {
-    setTriangle(triangleOf(scene, primitive), oneSided, leaf);
-  }
-  return leaf;
+// Sets the powers of leaves from their intensities.
+void setPowers(std::span<const double> intensities, std::span<LightNode> leaves) {
+  const double sum = std::accumulate(intensities.begin(), intensities.end(), 0.0);
+  for (std::size_t i = 0; i < leaves.size(); ++i) leaves[i].power = rounded(intensities[i] / sum);
 }
+
+double intensityOf(const LightEntry& entry) { return entry.kind == LightKind::sphere ? entry.power / 4 : entry.power; }
 
 // The sums over a set of leaves on which the costs of splits depend. Uninitialised unless set.
 struct Sums {
@@ -163,15 +156,16 @@ struct Split {
 
 class Builder {
  public:
-  Builder(std::span<LightEntry> table, std::vector<LightNode> leaves)
-      : table_(table), leaves_(std::move(leaves)), order_(leaves_.size()) {
+  explicit Builder(std::vector<LightNode> leaves) : leaves_(std::move(leaves)), order_(leaves_.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     axes_.reserve(leaves_.size());
     for (const LightNode& leaf : leaves_) axes_.push_back(unpackDirection(leaf.axis));
   }
 
-  LightTree build() {
+  // Sets the trails of the leaves, in the order of the tree.
+  LightTree build(std::vector<std::uint32_t>& trails) {
     const auto count = static_cast<std::uint32_t>(leaves_.size());
+    trails_.resize(count);
     inner_.resize(count - 1);
     if (count == 1) {
       setTrail(0, 0);
@@ -179,8 +173,14 @@ class Builder {
       buildNode(0, count, 0, 0, 0);
     }
     axes_ = {};
+    trails = std::move(trails_);
     sortLeaves();
     return {std::move(leaves_), std::move(inner_)};
+  }
+
+  LightNode root() const {
+    const auto count = static_cast<std::uint32_t>(leaves_.size());
+    return count == 1 ? leaves_.front() : nodeOf(rangeOf(0, count));
   }
 
  private:
@@ -313,7 +313,7 @@ class Builder {
     }
   }
 
-  void setTrail(std::uint32_t position, std::uint32_t trail) { table_[leaf(position).next].trail = trail; }
+  void setTrail(std::uint32_t position, std::uint32_t trail) { trails_[position] = trail; }
 
   // Puts the leaves in the order of the tree, along the cycles of the permutation.
   void sortLeaves() {
@@ -330,27 +330,88 @@ class Builder {
     }
   }
 
-  std::span<LightEntry> table_;
   std::vector<LightNode> leaves_;  // in the order of the light table until they are sorted
   std::vector<dvec3> axes_;        // of the leaves
   std::vector<std::uint32_t> order_;
   std::vector<LightNode> inner_;
+  std::vector<std::uint32_t> trails_;
 };
+
+// The leaf of an instance that emits, without its power.
+LightNode instanceLeaf(const scene::Scene& scene, const scene::PrimitiveRun& run, const LightMesh& mesh,
+                       bool oneSided) {
+  std::vector<LightNode> leaves;
+  std::vector<double> intensities;
+  for (std::uint32_t i = 0; i < mesh.luminances.size(); ++i) {
+    if (mesh.intensities[i] <= 0) continue;
+    const scene::Triangle triangle = triangleOf(scene, run.at(run.first + i));
+    const double intensity = triangleArea(triangle) * mesh.luminances[i];
+    if (intensity <= 0) continue;
+    intensities.push_back(intensity);
+    setTriangle(triangle, oneSided, leaves.emplace_back());
+  }
+  setPowers(intensities, leaves);
+  return Builder(std::move(leaves)).root();
+}
+
+LightNode leafOf(const scene::Scene& scene, const LightTable& table, const LightEntry& entry, bool oneSided) {
+  LightNode leaf;
+  if (!entry.isEmitter()) {
+    setPunctual(scene.punctualLights[entry.index], leaf);
+    return leaf;
+  }
+  if (entry.isInstance()) {
+    return instanceLeaf(scene, scene.primitives.runOf(entry.index), table.meshes[entry.mesh], oneSided);
+  }
+  const scene::Primitive primitive = scene.primitives[entry.index];
+  if (entry.kind == LightKind::sphere) {
+    setSphere(scene.spheres[primitive.index], leaf);
+  } else {
+    setTriangle(triangleOf(scene, primitive), oneSided, leaf);
+  }
+  return leaf;
+}
+
+void buildTree(const scene::Scene& scene, bool oneSided, LightMesh& mesh) {
+  std::vector<LightNode> leaves;
+  std::vector<double> intensities;
+  for (std::uint32_t i = 0; i < mesh.intensities.size(); ++i) {
+    if (mesh.intensities[i] <= 0) continue;
+    scene::Triangle triangle = triangleOf(scene, mesh, i);
+    if (mesh.mirrors) std::swap(triangle.p[1], triangle.p[2]);
+    intensities.push_back(mesh.intensities[i]);
+    setTriangle(triangle, oneSided, leaves.emplace_back());
+    leaves.back().next = i;
+  }
+  mesh.trails.assign(mesh.intensities.size(), gpu::kNoTrail);
+  if (leaves.empty()) return;
+  setPowers(intensities, leaves);
+  std::vector<std::uint32_t> trails;
+  mesh.tree = Builder(std::move(leaves)).build(trails);
+  for (std::size_t i = 0; i < trails.size(); ++i) mesh.trails[mesh.tree.leaves[i].next] = trails[i];
+}
 
 }  // namespace
 
-LightTree buildLightTree(const scene::Scene& scene, std::span<LightEntry> table, bool oneSided) {
-  double sum = 0;
+LightTree buildLightTree(const scene::Scene& scene, LightTable& table, bool oneSided) {
+  for (LightMesh& mesh : table.meshes) buildTree(scene, oneSided, mesh);
   std::vector<LightNode> leaves;
-  leaves.reserve(static_cast<std::size_t>(std::ranges::count_if(table, &LightEntry::inTree)));
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
-    if (!table[i].inTree) continue;
-    leaves.push_back(leafOf(scene, table[i], oneSided));
+  std::vector<double> intensities;
+  const auto count = static_cast<std::size_t>(std::ranges::count_if(table.entries, &LightEntry::inTree));
+  leaves.reserve(count);
+  intensities.reserve(count);
+  for (std::uint32_t i = 0; i < table.entries.size(); ++i) {
+    if (!table.entries[i].inTree) continue;
+    leaves.push_back(leafOf(scene, table, table.entries[i], oneSided));
     leaves.back().next = i;
-    sum += intensityOf(table[i]);
+    intensities.push_back(intensityOf(table.entries[i]));
   }
-  for (LightNode& leaf : leaves) leaf.power = rounded(intensityOf(table[leaf.next]) / sum);
-  return Builder(table, std::move(leaves)).build();
+  setPowers(intensities, leaves);
+  intensities = {};
+  std::vector<std::uint32_t> trails;
+  LightTree tree = Builder(std::move(leaves)).build(trails);
+  for (std::size_t i = 0; i < trails.size(); ++i) table.entries[tree.leaves[i].next].trail = trails[i];
+  return tree;
 }
 
 }  // namespace candela::flatten

@@ -2,13 +2,13 @@
 #pragma once
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <vector>
 
 #include "host/scene/scene.h"
-#include "host/trace/flatten/light_table.h"
 
 namespace candela::flatten {
+
+struct LightTable;
 
 /// A node, to the last bit as the specification defines it.
 struct LightNode {
@@ -17,7 +17,9 @@ struct LightNode {
   float power = 0;         ///< of all lights of the tree it is 1, apart from rounding
   std::uint32_t axis = 0;  ///< stored direction, and gpu::kLightNodeCosine and kLightNodeTwoSided
   float cosine = -1;       ///< o
-  std::uint32_t next = 0;  ///< of a leaf: the entry of the light table; of an inner node: see LightTree::inner
+  /// The light of a leaf: its entry in the table, or in the tree of a mesh the triangle. An inner node: see
+  /// LightTree::inner.
+  std::uint32_t next = 0;
 };
 static_assert(sizeof(LightNode) == 32);
 
@@ -30,8 +32,8 @@ struct LightTree {
   std::vector<LightNode> inner;
 };
 
-/// Builds the tree over the entries that are `inTree`, at least one, and sets their trails. With `oneSided`, triangles
-/// emit only from their front.
-LightTree buildLightTree(const scene::Scene& scene, std::span<LightEntry> table, bool oneSided);
+/// Builds the tree over the entries of a table that are `inTree`, at least one, and sets their trails; and the trees of
+/// its meshes. With `oneSided`, triangles emit only from their front.
+LightTree buildLightTree(const scene::Scene& scene, LightTable& table, bool oneSided);
 
 }  // namespace candela::flatten

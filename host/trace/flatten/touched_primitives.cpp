@@ -143,8 +143,12 @@ LightPositions lightPositions(const scene::Scene& scene, std::span<const LightEn
     if (entry.kind == LightKind::punctual || entry.kind == LightKind::spot)
       positions.points.emplace_back(scene.punctualLights[entry.index].position);
     if (entry.kind != LightKind::triangle) continue;
-    const scene::Triangle triangle = triangleOf(scene, scene.primitives[entry.index]);
-    positions.triangles.push_back({entry.index, {dvec3(triangle.p[0]), dvec3(triangle.p[1]), dvec3(triangle.p[2])}});
+    const scene::PrimitiveRun& run = scene.primitives.runOf(entry.index);
+    const std::uint32_t end = entry.index + (entry.isInstance() ? scene.primitives.countOf(run) : 1);
+    for (std::uint32_t i = entry.index; i < end; ++i) {
+      const scene::Triangle triangle = triangleOf(scene, run.at(i));
+      positions.triangles.push_back({i, {dvec3(triangle.p[0]), dvec3(triangle.p[1]), dvec3(triangle.p[2])}});
+    }
   }
   return positions;
 }

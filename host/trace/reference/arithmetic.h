@@ -50,9 +50,10 @@ class Arithmetic {
   virtual double lightDistance(double distance) { return distance; }
   virtual LightSample lightSample(const LightSample& light) { return light; }
 
-  /// The importance of a node of the light tree, apart from cosines, and a cosine on which it depends.
-  virtual double importance(double importance) { return importance; }
-  virtual double cosineOfImportance(double cosine) { return cosine; }
+  /// The importance of a node of a light tree, apart from cosines, and a cosine on which it depends. `condition`: of
+  /// the map from the space of the tree to the scene.
+  virtual double importance(double importance, double /*condition*/) { return importance; }
+  virtual double cosineOfImportance(double cosine, double /*condition*/) { return cosine; }
 
   /// A random number that is compared with a probability.
   virtual double choice(double number) { return number; }

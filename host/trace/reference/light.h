@@ -16,6 +16,7 @@
 #include "host/trace/reference/geometry.h"
 #include "host/trace/reference/light_bounds.h"
 #include "host/trace/reference/light_margin.h"
+#include "host/trace/reference/light_mesh.h"
 #include "host/trace/reference/surface.h"
 
 namespace candela::reference {
@@ -130,7 +131,27 @@ class EnvironmentLight {
   bool shines_;
 };
 
+/// The entry of an instance that emits. One of its triangles is sampled.
+class InstanceLight {
+ public:
+  /// `instance`: its index among all.
+  InstanceLight(const LightInstance& light, std::uint32_t instance)
+      : power_(light.power()), bounds_(light.bounds()), instance_(instance) {}
+
+  std::optional<LightSample> sample(const Surface&, const dvec2&) const { return std::nullopt; }
+  double pdf(const Ray&, double, double) const { return 0; }
+  double power() const { return power_; }
+  double intensity() const { return power_; }
+  LightBounds bounds(bool) const { return bounds_; }
+  std::uint32_t instance() const { return instance_; }
+
+ private:
+  double power_;
+  LightBounds bounds_;
+  std::uint32_t instance_;
+};
+
 /// Any kind of light.
-using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, EnvironmentLight>;
+using Light = std::variant<SphereLight, TriangleLight, PointLight, PunctualLight, EnvironmentLight, InstanceLight>;
 
 }  // namespace candela::reference

@@ -46,22 +46,24 @@ dvec3 StoredDirection::vector() const {
   return onOctahedron / length(onOctahedron);
 }
 
-double LightBounds::importance(const LightReceiver& receiver, Arithmetic& arithmetic) const {
+double LightBounds::importance(const PlacedReceiver& receiver, Arithmetic& arithmetic) const {
   const dvec3 fromCentre = receiver.position - dvec3(centre);
   const double squared = dot(fromCentre, fromCentre);
   const double radiusSquared = double{radius} * radius;
-  const double intensity = arithmetic.importance(power / std::max({squared, radiusSquared, 0x1p-64}));
+  const double intensity = arithmetic.importance(power / std::max({squared, radiusSquared, 0x1p-64}),
+                                                 receiver.condition);
   if (squared <= radiusSquared) return intensity;
   const dvec3 away = fromCentre / std::sqrt(squared);
   const double spread = std::asin(std::sqrt(radiusSquared / squared));
-  double emitted = arithmetic.cosineOfImportance(dot(axis.vector(), away));
+  double emitted = arithmetic.cosineOfImportance(dot(axis.vector(), away), receiver.condition);
   if (isTwoSided) emitted = std::abs(emitted);
   const double beyondCone = std::max(0.0, angleOf(emitted) - angleOf(cosine));
   const double byAngle = std::cos(std::max(0.0, beyondCone - spread));
   if (byAngle < (byCosine ? 0 : 1)) return 0;
-  double received = arithmetic.cosineOfImportance(-dot(receiver.normal.vector(), away));
+  double received = arithmetic.cosineOfImportance(-dot(receiver.normal, away), receiver.condition);
   if (receiver.transmits) received = std::abs(received);
-  return intensity * byAngle * std::max(0.0, std::cos(std::max(0.0, angleOf(received) - spread)) + 0x1p-11);
+  const double slack = 0x1p-11 * receiver.condition;
+  return intensity * byAngle * std::max(0.0, std::cos(std::max(0.0, angleOf(received) - spread)) + slack);
 }
 
 LightBounds boundsOfTriangle(const std::array<dvec3, 3>& corners, bool isTwoSided) {

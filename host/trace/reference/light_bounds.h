@@ -32,6 +32,17 @@ struct LightReceiver {
   bool transmits;          ///< light can be scattered to the other side of the normal, too
 };
 
+/// A receiver in the space in which bounds are given.
+struct PlacedReceiver {
+  dvec3 position;
+  dvec3 normal;  ///< of length 1
+  bool transmits;
+  double condition = 1;  ///< of the map from there to the scene, by which it may turn the error of the normal
+
+  explicit PlacedReceiver(const LightReceiver& receiver)
+      : position(receiver.position), normal(receiver.normal.vector()), transmits(receiver.transmits) {}
+};
+
 /// Lights within a sphere, and the directions in which they emit.
 struct LightBounds {
   glm::vec3 centre{0};
@@ -43,7 +54,7 @@ struct LightBounds {
   bool isTwoSided = false;  ///< to the other side, too
 
   /// Returns an upper bound of the light that arrives, apart from a common factor.
-  double importance(const LightReceiver& receiver, Arithmetic& arithmetic) const;
+  double importance(const PlacedReceiver& receiver, Arithmetic& arithmetic) const;
 };
 
 /// Relative enlargement of radii, and absolute one of cones.

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 
+#include "host/trace/reference/arithmetic.h"
+
 namespace candela::reference {
 namespace {
 
@@ -19,7 +21,6 @@ constexpr double kWords = 0x1p32;
 class LightTree::Builder {
  public:
   explicit Builder(LightTree& tree) : tree_(tree) {
-    tree_.inner_.reserve(tree_.lights_.size() - 1);
     axes_.reserve(tree_.lights_.size());
     for (const LightBounds& light : tree.lights_) axes_.push_back(light.axis.vector());
   }
@@ -37,6 +38,12 @@ class LightTree::Builder {
     tree_.inner_[self].low = build(low, depth + 1, trail);
     tree_.inner_[self].high = build(high, depth + 1, trail | 1u << depth);
     return {self, false};
+  }
+
+  LightBounds boundsOfAll() const {
+    std::vector<std::uint32_t> members(tree_.lights_.size());
+    std::iota(members.begin(), members.end(), 0u);
+    return members.size() == 1 ? tree_.lights_.front() : Group(*this, members).bounds();
   }
 
  private:
@@ -179,18 +186,31 @@ class LightTree::Builder {
   std::vector<dvec3> axes_;
 };
 
-LightTree::LightTree(std::vector<LightBounds> lights, std::vector<double> powers)
-    : lights_(std::move(lights)), trails_(lights_.size()) {
+void LightTree::setLights(std::vector<LightBounds> lights, const std::vector<double>& powers) {
+  lights_ = std::move(lights);
   double sum = 0;
   for (const double power : powers) sum += power;
   for (std::size_t i = 0; i < lights_.size(); ++i) lights_[i].power = static_cast<float>(powers[i] / sum);
+}
+
+LightTree::LightTree(std::vector<LightBounds> lights, std::vector<double> powers, std::uint32_t dimensions)
+    : dimensions_(dimensions) {
+  setLights(std::move(lights), powers);
   powers = {};
+  trails_.resize(lights_.size());
+  inner_.reserve(lights_.size() - 1);
   std::vector<std::uint32_t> members(lights_.size());
   std::iota(members.begin(), members.end(), 0u);
   root_ = Builder(*this).build(members, 0, 0);
 }
 
-std::uint64_t LightTree::lowWords(const Inner& inner, const LightReceiver& receiver, Arithmetic& arithmetic) const {
+LightBounds LightTree::boundsOf(std::vector<LightBounds> lights, const std::vector<double>& powers) {
+  LightTree tree;
+  tree.setLights(std::move(lights), powers);
+  return Builder(tree).boundsOfAll();
+}
+
+std::uint64_t LightTree::lowWords(const Inner& inner, const PlacedReceiver& receiver, Arithmetic& arithmetic) const {
   double low = boundsOf(inner.low).importance(receiver, arithmetic);
   double high = boundsOf(inner.high).importance(receiver, arithmetic);
   if (low == 0 && high == 0) {
@@ -202,14 +222,14 @@ std::uint64_t LightTree::lowWords(const Inner& inner, const LightReceiver& recei
   return static_cast<std::uint64_t>(kWords * std::clamp(low / (low + high), 0x1p-16, 1 - 0x1p-16));
 }
 
-LightTree::Choice LightTree::choose(const LightReceiver& receiver, const VertexNumbers& u,
+LightTree::Choice LightTree::choose(const PlacedReceiver& receiver, const VertexNumbers& u,
                                     Arithmetic& arithmetic) const {
   double probability = 1;
   Node node = root_;
   for (std::uint32_t depth = 0; !node.isLight; ++depth) {
     const Inner& inner = inner_[node.index];
     const std::uint64_t words = lowWords(inner, receiver, arithmetic);
-    const bool isLow = u.lightTree(depth) < words;
+    const bool isLow = u.lightTree(dimensions_, depth) < words;
     arithmetic.decide(isLow);
     const double low = static_cast<double>(words) / kWords;
     probability *= isLow ? low : 1 - low;
@@ -218,7 +238,7 @@ LightTree::Choice LightTree::choose(const LightReceiver& receiver, const VertexN
   return {node.index, probability};
 }
 
-double LightTree::probability(std::uint32_t light, const LightReceiver& receiver, Arithmetic& arithmetic) const {
+double LightTree::probability(std::uint32_t light, const PlacedReceiver& receiver, Arithmetic& arithmetic) const {
   double probability = 1;
   Node node = root_;
   for (std::uint32_t trail = trails_[light]; !node.isLight; trail >>= 1) {

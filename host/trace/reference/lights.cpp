@@ -31,12 +31,7 @@ Group groupOf(const Light& light, render::LightSelection selection) {
 }  // namespace
 
 LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& settings)
-    : scene_(&scene), selection_(settings.image.lights) {
-  const auto addEmitters = [&](const scene::PrimitiveRun& run) {
-    for (std::uint32_t i = 0; i < scene.primitives.countOf(run); ++i) {
-      addEmitter(run.first + i, run.at(run.first + i), settings.image.oneSided);
-    }
-  };
+    : scene_(&scene), selection_(settings.image.lights), oneSided_(settings.image.oneSided) {
   for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
     if (settings.image.nextEventEstimation && isEmissive(scene.materials[run.start.material])) addEmitters(run);
   }
@@ -49,11 +44,11 @@ LightTable::LightTable(const scene::Scene& scene, const render::RenderSettings& 
   }
   const std::vector<double> groups = groupProbabilities();
   raisePointWeights();
-  if (selection_ == render::LightSelection::tree) buildTree(settings.image.oneSided);
+  if (selection_ == render::LightSelection::tree) buildTree();
   computeThresholds(groups);
 }
 
-void LightTable::buildTree(bool oneSided) {
+void LightTable::buildTree() {
   for (std::uint32_t i = 0; i < entries_.size(); ++i) {
     if (groupOf(entries_[i].light, selection_) == kEmitters && entries_[i].weight > 0) entriesOfTree_.push_back(i);
   }
@@ -64,7 +59,7 @@ void LightTable::buildTree(bool oneSided) {
   for (const std::uint32_t i : entriesOfTree_) {
     const Entry& entry = entries_[i];
     powers.push_back(std::visit([](const auto& light) { return light.intensity(); }, entry.light));
-    bounds.push_back(std::visit([&](const auto& light) { return light.bounds(oneSided); }, entry.light));
+    bounds.push_back(std::visit([&](const auto& light) { return light.bounds(oneSided_); }, entry.light));
   }
   if (!bounds.empty()) tree_.emplace(std::move(bounds), std::move(powers));
 }
@@ -75,12 +70,47 @@ std::optional<std::uint32_t> LightTable::indexInTree(std::uint32_t entry) const 
   return static_cast<std::uint32_t>(found - entriesOfTree_.begin());
 }
 
-void LightTable::addEmitter(std::uint32_t primitive, const scene::Primitive& emitter, bool oneSided) {
+void LightTable::addEmitters(const scene::PrimitiveRun& run) {
+  if (selection_ == render::LightSelection::tree && isEmissiveInstance(*scene_, run)) return addInstance(run);
+  for (std::uint32_t i = 0; i < scene_->primitives.countOf(run); ++i) addEmitter(run.first + i, run.at(run.first + i));
+}
+
+void LightTable::addInstance(const scene::PrimitiveRun& run) {
+  const auto next = static_cast<std::uint32_t>(meshes_.size());
+  const auto [mesh, isNew] = meshOfKey_.try_emplace(LightMesh::keyOf(*scene_, run), next);
+  if (isNew) meshes_.emplace_back(*scene_, run, oneSided_);
+  const auto index = static_cast<std::uint32_t>(instances_.size());
+  instances_.emplace_back(*scene_, run, meshes_[mesh->second], mesh->second, oneSided_);
+  entryOfInstance_[run.first] = add(InstanceLight(instances_.back(), index));
+}
+
+TriangleLight LightTable::triangleOfInstance(std::uint32_t primitive) const {
+  const scene::Primitive triangle = scene_->primitives[primitive];
+  const dvec3 emission = scene_->materials[triangle.material].emission;
+  return {triangleOf(*scene_, triangle), emission, primitive, oneSided_};
+}
+
+std::uint32_t LightTable::entryOf(std::uint32_t primitive) const {
+  const auto own = entryOfPrimitive_.find(primitive);
+  if (own != entryOfPrimitive_.end()) return own->second;
+  const auto after = entryOfInstance_.upper_bound(primitive);
+  if (after == entryOfInstance_.begin()) return kNoEntry;
+  const auto& [first, entry] = *std::prev(after);
+  const std::uint32_t count = scene_->primitives.countOf(scene_->primitives.runOf(first));
+  return primitive - first < count ? entry : kNoEntry;
+}
+
+const LightInstance* LightTable::instanceOf(std::uint32_t entry) const {
+  const auto* const light = std::get_if<InstanceLight>(&entries_[entry].light);
+  return light != nullptr ? &instances_[light->instance()] : nullptr;
+}
+
+void LightTable::addEmitter(std::uint32_t primitive, const scene::Primitive& emitter) {
   const dvec3 emission = scene_->materials[emitter.material].emission;
   if (emitter.kind == scene::PrimitiveKind::sphere) {
     entryOfPrimitive_[primitive] = add(SphereLight(scene_->spheres[emitter.index], emission, primitive), primitive);
   } else if (emitter.kind == scene::PrimitiveKind::triangle) {
-    const TriangleLight light(triangleOf(*scene_, emitter), emission, primitive, oneSided,
+    const TriangleLight light(triangleOf(*scene_, emitter), emission, primitive, oneSided_,
                               meanEmissionTexel(*scene_, emitter));
     if (light.area() > 0) entryOfPrimitive_[primitive] = add(light, primitive);
   }
@@ -88,7 +118,6 @@ void LightTable::addEmitter(std::uint32_t primitive, const scene::Primitive& emi
 
 std::uint32_t LightTable::add(const Light& light, std::uint32_t primitive) {
   entries_.push_back({light, std::visit([](const auto& of) { return of.power(); }, light), primitive});
-  if (primitive != kNoPrimitive) entries_.back().shape = shapeOf(*scene_, scene_->primitives[primitive]);
   return static_cast<std::uint32_t>(entries_.size() - 1);
 }
 
@@ -156,39 +185,60 @@ double LightTable::probability(std::uint32_t entry) const {
 
 double LightTable::probability(std::uint32_t entry, const LightReceiver& receiver, Arithmetic& arithmetic) const {
   const std::optional<std::uint32_t> index = indexInTree(entry);
-  return index ? treeProbability() * tree_->probability(*index, receiver, arithmetic) : probability(entry);
+  if (!index) return probability(entry);
+  return treeProbability() * tree_->probability(*index, PlacedReceiver(receiver), arithmetic);
+}
+
+double LightTable::probabilityOf(std::uint32_t primitive, const LightReceiver& receiver, Arithmetic& arithmetic) const {
+  const std::uint32_t entry = entryOf(primitive);
+  if (entry == kNoEntry) return 0;
+  const LightInstance* const instance = instanceOf(entry);
+  if (instance == nullptr) return probability(entry, receiver, arithmetic);
+  const LightMesh& mesh = meshes_[instance->mesh()];
+  const std::optional<std::uint32_t> index = mesh.indexInTree(primitive - instance->firstPrimitive());
+  if (!index || !indexInTree(entry)) return 0;
+  return probability(entry, receiver, arithmetic) *
+         mesh.tree()->probability(*index, instance->receiverInMesh(receiver), arithmetic);
 }
 
 LightChoice LightTable::choose(const LightReceiver& receiver, const VertexNumbers& u, Arithmetic& arithmetic) const {
   const std::uint32_t word = u.lightChoice();
   if (word >> 8 >= treeThreshold_) return choose(word);
-  const LightTree::Choice choice = tree_->choose(receiver, u, arithmetic);
-  return {entriesOfTree_[choice.light], treeProbability() * choice.probability};
+  const LightTree::Choice choice = tree_->choose(PlacedReceiver(receiver), u, arithmetic);
+  const std::uint32_t entry = entriesOfTree_[choice.light];
+  const double probability = treeProbability() * choice.probability;
+  const LightInstance* const instance = instanceOf(entry);
+  if (instance == nullptr) return {entry, probability, entries_[entry].primitive};
+  const LightMesh& mesh = meshes_[instance->mesh()];
+  const LightTree::Choice part = mesh.tree()->choose(instance->receiverInMesh(receiver), u, arithmetic);
+  return {entry, probability * part.probability, instance->firstPrimitive() + mesh.parts()[part.light].triangle};
 }
 
 LightChoice LightTable::choose(std::uint32_t word) const {
   const auto found = std::upper_bound(thresholds_.begin(), thresholds_.end(), word >> 8);
   const auto entry = static_cast<std::uint32_t>(found - thresholds_.begin());
-  return {entry, probability(entry)};
+  return {entry, probability(entry), entries_[entry].primitive};
 }
 
-bool LightTable::isOnCopy(const Entry& entry, const Surface& surface) const {
-  if (entry.primitive == kNoPrimitive || surface.primitive == kNoPrimitive) return false;
-  if (entry.primitive == surface.primitive) return false;
-  return areCopies(entry.shape, shapeOf(*scene_, scene_->primitives[surface.primitive]));
+bool LightTable::isOnCopy(std::uint32_t primitive, const Surface& surface) const {
+  if (primitive == kNoPrimitive || surface.primitive == kNoPrimitive || primitive == surface.primitive) return false;
+  return areCopies(shapeOf(*scene_, scene_->primitives[primitive]),
+                   shapeOf(*scene_, scene_->primitives[surface.primitive]));
 }
 
-std::optional<LightSample> LightTable::sample(std::uint32_t entry, const Surface& surface, const dvec2& u) const {
-  if (isOnCopy(entries_[entry], surface)) return std::nullopt;
-  return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[entry].light);
+std::optional<LightSample> LightTable::sample(const LightChoice& choice, const Surface& surface, const dvec2& u) const {
+  if (isOnCopy(choice.primitive, surface)) return std::nullopt;
+  if (instanceOf(choice.entry) != nullptr) return triangleOfInstance(choice.primitive).sample(surface, u);
+  return std::visit([&](const auto& light) { return light.sample(surface, u); }, entries_[choice.entry].light);
 }
 
 double LightTable::pdf(const Ray& ray, double distance, const Surface& surface, const LightReceiver& receiver,
                        Arithmetic& arithmetic) const {
-  const auto entry = entryOfPrimitive_.find(surface.primitive);
-  if (entry == entryOfPrimitive_.end()) return 0;
-  const double chosen = probability(entry->second, receiver, arithmetic);
-  return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry->second].light);
+  const std::uint32_t entry = entryOf(surface.primitive);
+  if (entry == kNoEntry) return 0;
+  const double chosen = probabilityOf(surface.primitive, receiver, arithmetic);
+  if (instanceOf(entry) != nullptr) return triangleOfInstance(surface.primitive).pdf(ray, distance, chosen);
+  return std::visit([&](const auto& light) { return light.pdf(ray, distance, chosen); }, entries_[entry].light);
 }
 
 double LightTable::environmentProbability() const {

@@ -211,11 +211,12 @@ std::optional<ChannelChoice> PathTracer::channelAt(const Path& path, const Surfa
   return choice;
 }
 
-std::optional<LightSample> PathTracer::sampleLight(const Path& path, std::uint32_t entry,
+std::optional<LightSample> PathTracer::sampleLight(const Path& path, const LightChoice& choice,
                                                    const Surface& surface) const {
   const VertexNumbers u = path.u();
-  std::optional<LightSample> light = lights_.isEnvironment(entry) ? environment_->sample(u.lightWords(), u.texel())
-                                                                  : lights_.sample(entry, surface, u.light());
+  std::optional<LightSample> light = lights_.isEnvironment(choice.entry)
+                                         ? environment_->sample(u.lightWords(), u.texel())
+                                         : lights_.sample(choice, surface, u.light());
   if (light) light = path.arithmetic.lightSample(*light);
   return light;
 }
@@ -223,7 +224,7 @@ std::optional<LightSample> PathTracer::sampleLight(const Path& path, std::uint32
 dvec3 PathTracer::directLight(const Path& path, const Shading& shading) const {
   const LightChoice choice = lights_.choose(path.receiver, path.u(), path.arithmetic);
   path.notes.lightChoice(choice);
-  std::optional<LightSample> light = sampleLight(path, choice.entry, shading.surface());
+  std::optional<LightSample> light = sampleLight(path, choice, shading.surface());
   if (!light) return dvec3(0);
   light->radiance *= emissionFactor({scene(), path.arithmetic}, *light, shading.surface());
   const dvec3 wi = shading.toLocal(light->wi);

@@ -54,7 +54,7 @@ class PathTracer final : public PixelTracer {
   double pdfByLights(const Path& path, const Vertex& vertex) const;
   std::optional<ChannelChoice> channelAt(const Path& path, const Surface& surface) const;
   /// Returns a sample of an entry of the light table as seen from a surface.
-  std::optional<LightSample> sampleLight(const Path& path, std::uint32_t entry, const Surface& surface) const;
+  std::optional<LightSample> sampleLight(const Path& path, const LightChoice& choice, const Surface& surface) const;
   dvec3 directLight(const Path& path, const Shading& shading) const;
 
   render::RenderSettings settings_;

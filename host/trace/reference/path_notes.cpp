@@ -59,7 +59,7 @@ void PathNotes::emission(const dvec3& radiance, double weight) {
 }
 
 void PathNotes::lightChoice(const LightChoice& choice) {
-  if (vertexTrace_) vertexTrace_->light = render::LightTrace{.entry = choice.entry};
+  if (vertexTrace_) vertexTrace_->light = render::LightTrace{.entry = choice.entry, .primitive = choice.primitive};
 }
 
 void PathNotes::shadowRay(const LightSample& light, double lightPdf, double bsdfPdf, bool occluded) {
@@ -68,7 +68,6 @@ void PathNotes::shadowRay(const LightSample& light, double lightPdf, double bsdf
   if (!vertexTrace_) return;
   render::LightTrace& trace = *vertexTrace_->light;
   trace.shadow = outcome;
-  trace.primitive = light.primitive == kNoPrimitive ? render::LightTrace::kPointLight : light.primitive;
   trace.direction = light.wi;
   trace.distance = light.distance;
   trace.pdf = lightPdf;

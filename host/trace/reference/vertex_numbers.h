@@ -30,9 +30,9 @@ struct VertexNumbers {
   dvec2 environmentPair(std::uint32_t x, std::uint32_t y) const {
     return {numbers.unit(environmentBlock + x), numbers.unit(environmentBlock + y)};
   }
-  /// The number that decides at a node of this depth of the light tree.
-  std::uint32_t lightTree(std::uint32_t treeDepth) const {
-    return numbers.word(kLightTreeDimensions + (depth - 1) * kLightTreeDimensionCount + treeDepth);
+  /// The number that decides at a node of this depth of a light tree, whose numbers start at a dimension.
+  std::uint32_t lightTree(std::uint32_t dimensions, std::uint32_t treeDepth) const {
+    return numbers.word(dimensions + (depth - 1) * kLightTreeDimensionCount + treeDepth);
   }
   double lobe() const { return numbers.unit(block + kDimensionLobe); }
   dvec2 bsdf() const { return {numbers.unit(block + kDimensionBsdfU), numbers.unit(block + kDimensionBsdfV)}; }

@@ -39,12 +39,12 @@ struct EmissionTrace {
 /// One light sample.
 struct LightTrace {
   static constexpr std::uint32_t kPointLight = 0xffffffffu;
-  std::uint32_t entry = 0;  ///< index in the light table: docs/light-transport.md section 6
+  std::uint32_t entry = 0;                ///< index in the light table: docs/light-transport.md section 6
+  std::uint32_t primitive = kPointLight;  ///< of the light, or kPointLight
   ShadowOutcome shadow = ShadowOutcome::notTraced;
   // Defined if a shadow ray was traced:
-  std::uint32_t primitive = kPointLight;  ///< of the light, or kPointLight
-  glm::dvec3 direction{0};                ///< unit, towards the light
-  double distance = 0;                    ///< to the sampled point
+  glm::dvec3 direction{0};  ///< unit, towards the light
+  double distance = 0;      ///< to the sampled point
   double pdf = 0;      ///< per solid angle, with the choice of the light; a point light: probability of the choice only
   double bsdfPdf = 0;  ///< with which BSDF sampling would have chosen the direction
   // Defined if the shadow ray was unoccluded:

@@ -29,8 +29,8 @@ inline render::PathTrace madePath() {
                                .normal = {0, -1, 0},
                                .shadingNormal = {0, -1, 0}};
   first.light = render::LightTrace{.entry = 0,
-                                   .shadow = render::ShadowOutcome::visible,
                                    .primitive = 1,
+                                   .shadow = render::ShadowOutcome::visible,
                                    .direction = {0, 0, 1},
                                    .distance = 8,
                                    .pdf = 2,

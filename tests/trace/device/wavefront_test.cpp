@@ -79,7 +79,7 @@ TEST_CASE(
 }
 
 TEST_CASE("the wavefront gives the megakernel's film and counts: lights chosen by a tree", "[swiftshader-slow]") {
-  scene::Scene scene = test::litRoom(120, 5);
+  const scene::Scene scene = test::litRoom(120, 5, 20);
   for (const render::SamplerKind sampler : {render::SamplerKind::sobol, render::SamplerKind::stratified}) {
     render::RenderSettings settings = wavefrontSettings();
     settings.image.lights = render::LightSelection::tree;

@@ -142,9 +142,10 @@ struct LightTreeLeaves::Side {
   // The tasks of light_tree_leaf.comp.
   static constexpr std::uint32_t kChoose = 0, kFind = 1;
 
-  static render::RenderSettings settings() {
+  static render::RenderSettings settings(bool oneSided) {
     render::RenderSettings settings = render::defaultSettings();
     settings.image.lights = render::LightSelection::tree;
+    settings.image.oneSided = oneSided;
     settings.image.sampler = render::SamplerKind::independent;
     return settings;
   }
@@ -160,8 +161,8 @@ struct LightTreeLeaves::Side {
   }
 };
 
-LightTreeLeaves::LightTreeLeaves(const scene::Scene& scene)
-    : side_(new Side{device::SceneLeaf(spirv::light_tree_leaf, scene, Side::settings())}) {}
+LightTreeLeaves::LightTreeLeaves(const scene::Scene& scene, bool oneSided)
+    : side_(new Side{device::SceneLeaf(spirv::light_tree_leaf, scene, Side::settings(oneSided))}) {}
 LightTreeLeaves::~LightTreeLeaves() = default;
 
 std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, std::uint32_t samples) const {
@@ -169,7 +170,7 @@ std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, 
   std::uint32_t truncated = 0;
   const auto sample = [](std::size_t i) { return static_cast<std::uint32_t>(i); };
   for (const vec4& row : side_->run(Side::kChoose, receiver, samples, sample)) {
-    chosen.push_back({count(row.x), row.y});
+    chosen.push_back({count(row.x), row.y, count(row.w)});
     truncated += count(row.z);
   }
   REQUIRE(truncated == 0);
@@ -177,10 +178,12 @@ std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, 
 }
 
 std::vector<double> LightTreeLeaves::probabilities(const ReceiverQuery& receiver,
-                                                   std::span<const std::uint32_t> entries) const {
+                                                   std::span<const std::uint32_t> primitives) const {
   std::vector<double> probabilities;
-  const auto entry = [&](std::size_t i) { return entries[i]; };
-  for (const vec4& row : side_->run(Side::kFind, receiver, entries.size(), entry)) probabilities.push_back(row.y);
+  const auto primitive = [&](std::size_t i) { return primitives[i]; };
+  for (const vec4& row : side_->run(Side::kFind, receiver, primitives.size(), primitive)) {
+    probabilities.push_back(row.y);
+  }
   return probabilities;
 }
 

@@ -96,6 +96,7 @@ struct FoundLight {
 struct ChosenLight {
   std::uint32_t entry = 0;
   double probability = 0;
+  std::uint32_t primitive = 0;  ///< of the choice by a tree, if it is an emitter
 };
 /// The light table of a scene. Its entries are numbered as in docs/light-transport.md section 6.
 class LightLeaves {
@@ -122,12 +123,12 @@ struct ReceiverQuery {
 /// The choice of lights by a tree, with the independent numbers of seed 0.
 class LightTreeLeaves {
  public:
-  explicit LightTreeLeaves(const scene::Scene& scene);
+  explicit LightTreeLeaves(const scene::Scene& scene, bool oneSided = false);
   ~LightTreeLeaves();
   /// Chooses with the numbers of vertex 1 of samples 0 to count - 1 of pixel 0.
   std::vector<ChosenLight> choose(const ReceiverQuery& receiver, std::uint32_t count) const;
-  /// Returns the probabilities with which the emitters of these entries are chosen.
-  std::vector<double> probabilities(const ReceiverQuery& receiver, std::span<const std::uint32_t> entries) const;
+  /// Returns the probabilities with which these primitives, which emit, are chosen.
+  std::vector<double> probabilities(const ReceiverQuery& receiver, std::span<const std::uint32_t> primitives) const;
 
  private:
   struct Side;

@@ -1,5 +1,5 @@
-// The light tree under proof. Input, two rows: (position, 1 if the receiver transmits) (normal, sample index, or the entry
-// of an emitter). Output: (entry, probability, truncated, 0).
+// The light tree under proof. Input, two rows: (position, 1 if the receiver transmits) (normal, sample index, or the index of
+// a primitive that emits). Output: (entry, probability, truncated, index of the primitive).
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "lights.glsl"
@@ -10,6 +10,21 @@ layout(local_size_x = 64) in;
 layout(push_constant) uniform Push { uint count; uint task; };
 layout(set = 0, binding = 1, std430) readonly buffer Inputs { vec4 inputs[]; };
 layout(set = 0, binding = 2, std430) writeonly buffer Outputs { vec4 outputs[]; };
+
+uint slotOfPrimitive(uint primitive) {
+  uint slot = 0u;
+  while (slot < constants.slotCount && indexOf(rowsOfSlot(slot)) != primitive) ++slot;
+  return slot;
+}
+
+// Returns what surfaceAt() sets of an emitter.
+Surface emitterAt(uint slot) {
+  uvec4 rows[3] = rowsOfSlot(slot);
+  Surface emitter;
+  emitter.slot = slot;
+  emitter.light = isKind(rows[2].w, kKindSphere) ? rows[2].x : lightOf(rows[0].w, indexOf(rows));
+  return emitter;
+}
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
@@ -23,10 +38,11 @@ void main() {
     uint k = sampleGroup(key, vertexGroup(1u, kDimensionLightChoice)).x >> 8;
     uint entry;
     Light light = chooseLight(place.xyz, receiver, k, key, 1u, entry, truncated);
-    outputs[i] = vec4(float(entry), light.probability, float(truncated), 0.0);
+    uint primitive = light.slot == kNoSlot ? 0u : indexOf(rowsOfSlot(light.slot));
+    outputs[i] = vec4(float(entry), light.probability, float(truncated), float(primitive));
   } else {
-    Surface emitter;
-    emitter.light = uint(facing.w) + 1u;
-    outputs[i] = vec4(facing.w, emitterFound(emitter, place.xyz, receiver, truncated).probability, float(truncated), 0.0);
+    Surface emitter = emitterAt(slotOfPrimitive(uint(facing.w)));
+    float probability = emitterFound(emitter, place.xyz, receiver, truncated).probability;
+    outputs[i] = vec4(0.0, emitter.light != 0u ? probability : 0.0, float(truncated), facing.w);
   }
 }

@@ -149,7 +149,7 @@ struct LightLeaves::Side {
   LitPoint sample(std::uint32_t entry, const Viewpoint& from, const dvec2& u) const {
     const std::uint32_t primitive = from.onLight ? entry : reference::kNoPrimitive;
     const dvec3 up(0, 0, 1);  // lights are sampled without regard to the surface's normal
-    const auto lit = table.sample(entry, {from.position, up, up, up, true, primitive, 0}, u);
+    const auto lit = table.sample(table.choiceOf(entry), {from.position, up, up, up, true, primitive, 0}, u);
     if (!lit) return {};
     return {lit->wi, lit->distance, probability(entry) * lit->pdf.value_or(1), lit->radiance};
   }
@@ -192,9 +192,10 @@ std::vector<LitPoint> LightLeaves::sample(std::uint32_t entry, const Viewpoint& 
 }
 
 struct LightTreeLeaves::Side {
-  static render::RenderSettings settings() {
+  static render::RenderSettings settings(bool oneSided) {
     render::RenderSettings settings = render::defaultSettings();
     settings.image.lights = render::LightSelection::tree;
+    settings.image.oneSided = oneSided;
     return settings;
   }
   static reference::LightReceiver receiverOf(const ReceiverQuery& query) {
@@ -206,10 +207,11 @@ struct LightTreeLeaves::Side {
   reference::Arithmetic exact{};
   reference::Sampler sampler{render::SamplerKind::independent, 0, 1};
 
-  explicit Side(const scene::Scene& lights) : scene(lights), table(scene, settings()) {}
+  Side(const scene::Scene& lights, bool oneSided) : scene(lights), table(scene, settings(oneSided)) {}
 };
 
-LightTreeLeaves::LightTreeLeaves(const scene::Scene& scene) : side_(std::make_unique<Side>(scene)) {}
+LightTreeLeaves::LightTreeLeaves(const scene::Scene& scene, bool oneSided)
+    : side_(std::make_unique<Side>(scene, oneSided)) {}
 LightTreeLeaves::~LightTreeLeaves() = default;
 
 std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, std::uint32_t count) const {
@@ -217,16 +219,16 @@ std::vector<ChosenLight> LightTreeLeaves::choose(const ReceiverQuery& receiver, 
   for (std::uint32_t sample = 0; sample < count; ++sample) {
     reference::SampleNumbers numbers(side_->sampler, 0, 0, sample);
     const auto choice = side_->table.choose(Side::receiverOf(receiver), {numbers, 1}, side_->exact);
-    chosen.push_back({choice.entry, choice.probability});
+    chosen.push_back({choice.entry, choice.probability, choice.primitive});
   }
   return chosen;
 }
 
 std::vector<double> LightTreeLeaves::probabilities(const ReceiverQuery& receiver,
-                                                   std::span<const std::uint32_t> entries) const {
+                                                   std::span<const std::uint32_t> primitives) const {
   std::vector<double> probabilities;
-  for (const std::uint32_t entry : entries) {
-    probabilities.push_back(side_->table.probability(entry, Side::receiverOf(receiver), side_->exact));
+  for (const std::uint32_t primitive : primitives) {
+    probabilities.push_back(side_->table.probabilityOf(primitive, Side::receiverOf(receiver), side_->exact));
   }
   return probabilities;
 }

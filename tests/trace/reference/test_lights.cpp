@@ -32,7 +32,8 @@ double estimate(const LightTable& lights, const Surface& surface, const Function
   constexpr int kSide = 300;
   double sum = 0;
   for (int i = 0; i < kSide * kSide; ++i) {
-    const auto sample = lights.sample(0, surface, {(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide});
+    const auto sample = lights.sample(lights.choiceOf(0), surface,
+                                      {(i % kSide + 0.5) / kSide, (i / kSide + 0.5) / kSide});
     if (sample) sum += g(*sample) / *sample->pdf;
   }
   return sum / (kSide * kSide);
@@ -168,7 +169,7 @@ TEST_CASE("the density of a hit is the density with which it is sampled") {
   Counters counters;
   for (std::uint32_t entry = 0; entry < 3; ++entry) {
     const Surface from = surfaceFacing({0.2, 0.1, 0}, {0, 0, 1});
-    const auto sample = lights.sample(entry, from, {0.3, 0.6});
+    const auto sample = lights.sample(lights.choiceOf(entry), from, {0.3, 0.6});
     REQUIRE(sample);
     CHECK(sample->primitive == entry);
     const Ray ray{from.position, sample->wi};
@@ -188,11 +189,11 @@ TEST_CASE("a triangle light does not illuminate itself and, with --one-sided, no
   b.material(diffuseMaterial(vec3(1), vec3(1))).triangle({0, 0, 1}, {1, 0, 1}, {0, 1, 1});  // front towards +z
   const LightTable twoSided(b.scene, render::defaultSettings()), oneSided(b.scene, settingsWith(true, true));
   const Surface below = surfaceFacing({0, 0, 0}, {0, 0, 1}), above = surfaceFacing({0, 0, 2}, {0, 0, -1});
-  CHECK(twoSided.sample(0, below, {0.5, 0.5}));
-  CHECK_FALSE(oneSided.sample(0, below, {0.5, 0.5}));
-  CHECK(oneSided.sample(0, above, {0.5, 0.5}));
-  CHECK_FALSE(twoSided.sample(0, surfaceFacing({0.2, 0.2, 1}, {0, 0, 1}, 0), {0.5, 0.5}));
-  CHECK_FALSE(twoSided.sample(0, surfaceFacing({5, 5, 1}, {0, 0, 1}), {0.5, 0.5}));  // edge on
+  CHECK(twoSided.sample(twoSided.choiceOf(0), below, {0.5, 0.5}));
+  CHECK_FALSE(oneSided.sample(oneSided.choiceOf(0), below, {0.5, 0.5}));
+  CHECK(oneSided.sample(oneSided.choiceOf(0), above, {0.5, 0.5}));
+  CHECK_FALSE(twoSided.sample(twoSided.choiceOf(0), surfaceFacing({0.2, 0.2, 1}, {0, 0, 1}, 0), {0.5, 0.5}));
+  CHECK_FALSE(twoSided.sample(twoSided.choiceOf(0), surfaceFacing({5, 5, 1}, {0, 0, 1}), {0.5, 0.5}));  // edge on
 }
 
 TEST_CASE("a background that is no environment has no entry") {

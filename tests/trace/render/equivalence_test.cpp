@@ -57,7 +57,7 @@ TEST_CASE("every scene has the reference's pixels at one sample, with light samp
 TEST_CASE(
     "a room under lights of a tree has the reference's pixels and, at more samples, those of lights chosen by power",
     "[swiftshader-slow]") {
-  const scene::Scene scene = test::litRoom(120, 7);
+  const scene::Scene scene = GENERATE(test::litRoom(120, 7), test::litRoom(40, 8, 30));
   render::RenderSettings settings = squareSettings(80, 1);
   settings.image.lights = render::LightSelection::tree;
   requireSamePixels(scene, settings);

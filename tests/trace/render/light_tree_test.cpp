@@ -4,6 +4,7 @@
 #include <bit>
 #include <catch2/catch.hpp>
 
+#include "host/trace/flatten/light_table.h"
 #include "host/trace/reference/lights.h"
 #include "tests/trace/light_tree_scenes.h"
 
@@ -31,25 +32,13 @@ bool isEqual(const flatten::LightNode& node, const reference::LightBounds& bound
          bitsOf(node.cosine) == bitsOf(bounds.cosine);
 }
 
-// Compares two trees node by node, and returns the depth of the deepest leaf.
-std::uint32_t requireEqualTrees(const scene::Scene& scene, bool oneSided = false) {
-  flatten::LightTable table = flatten::buildLightTable(scene, true, render::LightSelection::tree);
-  REQUIRE(table.hasTree());
-  const flatten::LightTree tree = buildLightTree(scene, table.entries, oneSided);
-  const reference::LightTable lights(scene, treeSettings(oneSided));
-  REQUIRE(lights.tree());
-  const reference::LightTree& other = *lights.tree();
+// Compares two trees node by node, and returns the depth of the deepest leaf. `indexOf`: of what a leaf states as next
+// in the tree of the reference.
+template <class Index>
+std::uint32_t requireEqualNodes(const flatten::LightTree& tree, const reference::LightTree& other,
+                                const Index& indexOf) {
   REQUIRE(tree.leaves.size() == other.lights().size());
   REQUIRE(tree.inner.size() == other.inner().size());
-  std::size_t leaves = 0;
-  for (std::uint32_t i = 0; i < table.entries.size(); ++i) {
-    const auto index = lights.indexInTree(i);
-    REQUIRE(index.has_value() == table.entries[i].inTree);
-    if (!index) continue;
-    ++leaves;
-    REQUIRE(table.entries[i].trail == other.trail(*index));
-  }
-  CHECK(leaves == tree.leaves.size());
   std::uint32_t deepest = 0;
   struct Pair {
     std::uint32_t node;
@@ -64,7 +53,7 @@ std::uint32_t requireEqualTrees(const scene::Scene& scene, bool oneSided = false
     REQUIRE(pair.isLeaf == pair.other.isLight);
     if (pair.isLeaf) {
       const flatten::LightNode& leaf = tree.leaves[pair.node];
-      REQUIRE(lights.indexInTree(leaf.next) == pair.other.index);
+      REQUIRE(indexOf(leaf.next) == pair.other.index);
       REQUIRE(isEqual(leaf, other.lights()[pair.other.index]));
       deepest = std::max(deepest, pair.depth);
       continue;
@@ -79,6 +68,39 @@ std::uint32_t requireEqualTrees(const scene::Scene& scene, bool oneSided = false
   return deepest;
 }
 
+void requireEqualTrails(const std::vector<std::uint32_t>& trails, const reference::LightMesh& mesh) {
+  for (std::uint32_t triangle = 0; triangle < trails.size(); ++triangle) {
+    const auto index = mesh.indexInTree(triangle);
+    REQUIRE(trails[triangle] == (index ? mesh.tree()->trail(*index) : gpu::kNoTrail));
+  }
+}
+
+// Compares the trees of both tracers, and those of their meshes. Returns the depth of the deepest leaf.
+std::uint32_t requireEqualTrees(const scene::Scene& scene, bool oneSided = false) {
+  flatten::LightTable table = flatten::buildLightTable(scene, true, render::LightSelection::tree);
+  REQUIRE(table.hasTree());
+  const flatten::LightTree tree = buildLightTree(scene, table, oneSided);
+  const reference::LightTable lights(scene, treeSettings(oneSided));
+  REQUIRE(lights.tree());
+  std::size_t leaves = 0;
+  for (std::uint32_t i = 0; i < table.entries.size(); ++i) {
+    const auto index = lights.indexInTree(i);
+    REQUIRE(index.has_value() == table.entries[i].inTree);
+    if (!index) continue;
+    ++leaves;
+    REQUIRE(table.entries[i].trail == lights.tree()->trail(*index));
+  }
+  CHECK(leaves == tree.leaves.size());
+  REQUIRE(table.meshes.size() == lights.meshes().size());
+  for (std::size_t i = 0; i < table.meshes.size(); ++i) {
+    const reference::LightMesh& mesh = lights.meshes()[i];
+    requireEqualNodes(table.meshes[i].tree, *mesh.tree(),
+                      [&](std::uint32_t triangle) { return mesh.indexInTree(triangle); });
+    requireEqualTrails(table.meshes[i].trails, mesh);
+  }
+  return requireEqualNodes(tree, *lights.tree(), [&](std::uint32_t entry) { return lights.indexInTree(entry); });
+}
+
 }  // namespace
 
 TEST_CASE("both tracers build the same light tree of lights of all kinds") {
@@ -86,6 +108,18 @@ TEST_CASE("both tracers build the same light tree of lights of all kinds") {
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     CAPTURE(count, seed);
     requireEqualTrees(test::mixedLamps(count, seed), seed % 2 == 1);
+  }
+}
+
+TEST_CASE("both tracers build the same light trees of instances that emit and of their meshes") {
+  const std::uint32_t instances = GENERATE(1u, 6u, 200u);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    CAPTURE(instances, seed);
+    const scene::Scene scene = test::lampsAndInstances(seed % 3 == 0 ? 0 : 60, instances, seed);
+    requireEqualTrees(scene, seed % 2 == 1);
+    const flatten::LightTable table = flatten::buildLightTable(scene, true, render::LightSelection::tree);
+    CHECK(table.meshes.size() <= 4);  // of two materials and both orientations
+    CHECK(std::ranges::count_if(table.entries, &flatten::LightEntry::isInstance) == instances);
   }
 }
 

@@ -64,8 +64,12 @@ class RoundedArithmetic final : public RecordedArithmetic {
   double lightDistance(double distance) override { return relative(distance, kRoundingBounds.lightDistance); }
   LightSample lightSample(const LightSample& light) override;
 
-  double importance(double importance) override { return relative(importance, kRoundingBounds.importance); }
-  double cosineOfImportance(double cosine) override { return absolute(cosine, kRoundingBounds.importanceCosine); }
+  double importance(double importance, double condition) override {
+    return relative(importance, condition * kRoundingBounds.importance);
+  }
+  double cosineOfImportance(double cosine, double condition) override {
+    return absolute(cosine, condition * kRoundingBounds.importanceCosine);
+  }
 
   double choice(double number) override { return absolute(number, kRoundingBounds.choice); }
   double lobeChoice(double number) override { return absolute(number, kRoundingBounds.lobeChoice); }
