@@ -187,13 +187,12 @@ Tracing::Tracing(const scene::Scene& scene, const render::RenderSettings& settin
     for (Bounds& box : boxes) box = box.padded(padding);
   }
   instances_.build(padding);
-  if (hasEmissivePrimitive(scene) || std::ranges::any_of(scene.materials, isCrossed)) {
+  if (tracesReplicas || hasEmissivePrimitive(scene) || std::ranges::any_of(scene.materials, isCrossed)) {
     scene::Coincidences coincidences = scene::findCoincidences(scene);
     orderReach_ = double{coincidences.orderReach};
-    if (orderReach_ > 0) {
-      ordered_ = std::move(coincidences.ordered);
-      stored_.emplace(scene.primitives);
-    }
+    if (orderReach_ > 0) ordered_ = std::move(coincidences.ordered);
+    if (tracesReplicas) coincident_ = std::move(coincidences.coincident);
+    if (tracesReplicas || orderReach_ > 0) stored_.emplace(scene.primitives);
   }
 
   items_.reserve(bounded.size() + unbounded.size());
@@ -234,7 +233,7 @@ Tracing::Item Tracing::madeItem(const scene::Primitive& primitive, std::uint32_t
           emits,
           transmits(material, whitted),
           thinWalled,
-          stored_ && ordered_[stored_->indexOf(index)] && !emits,
+          !ordered_.empty() && ordered_[stored_->indexOf(index)] && !emits,
           primitive.material,
           index};
 }

@@ -105,6 +105,8 @@ class Tracing {
   /// sees the closer one, or the one with the lower index. `lightDistance` is the distance of the emitter. Returns
   /// nothing if the item does not emit, or they do not coincide.
   std::optional<bool> hidesEmitter(const Item& item, double t, const Item& light, double lightDistance) const;
+  /// Returns whether an item may coincide with another one. Requires replicas.
+  bool mayCoincide(const Item& item) const { return coincident_[stored_->indexOf(item.primitive)]; }
 
  private:
   Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye);
@@ -126,9 +128,10 @@ class Tracing {
   std::vector<Item> items_;
   std::vector<std::uint32_t> itemOf_;  ///< index in items_ of each primitive that may be hit; empty with instances
   std::size_t firstOutside_ = 0;       ///< index of the first item outside of the structure
-  double orderReach_ = 0;      ///< largest coordinate of the items that are ordered, and of those in their planes
-  std::vector<bool> ordered_;  ///< by number in stored_
-  std::optional<scene::StoredPrimitives> stored_;  ///< nothing if no primitive is ordered
+  double orderReach_ = 0;         ///< largest coordinate of the items that are ordered, and of those in their planes
+  std::vector<bool> ordered_;     ///< by number in stored_; empty if no primitive is ordered
+  std::vector<bool> coincident_;  ///< as well, for replicas
+  std::optional<scene::StoredPrimitives> stored_;  ///< nothing if neither is needed
   Hierarchy hierarchy_;                            ///< over items_
   Instances instances_;
   Grid grid_;

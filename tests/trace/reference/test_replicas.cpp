@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "host/trace/reference/reference_renderer.h"
+#include "host/trace/reference/rounding/rounded_tracing.h"
 #include "tests/trace/reference/default_settings.h"
 #include "tests/trace/reference/scene_builder.h"
 
@@ -120,4 +121,30 @@ TEST_CASE("a rug on an inclined floor of 1000 times its size makes no light a ma
     CAPTURE(i);
     CHECK(magnitude < 1e-5 * 16 * 16 * settings.image.sampleCount);
   }
+}
+
+// The device rounds the distances of needles up by the bound of their error, so that it may hit what is behind one.
+TEST_CASE("replicas hit what is behind a needle by less than the bound of its distance, and nothing farther behind") {
+  const auto hitsBehind = [](float gap) {
+    // The ray meets the needle, which is almost parallel to it, at the distance of 10.
+    SceneBuilder b;
+    b.material(test::diffuseMaterial(vec3(0.5f)));
+    b.triangle({-1, -0.999f, -10}, {-0.999f, -1, -10}, {1, 1, 10}).triangle({-9, -9, gap}, {9, -9, gap}, {0, 9, gap});
+    render::RenderSettings settings = render::defaultSettings();
+    settings.execution.replicas = 1;
+    const reference::Tracing tracing(b.scene, settings);
+    const reference::RoundedTracing rounded(b.scene, tracing, {0, 0, -10});
+    std::uint32_t behind = 0;
+    for (std::uint64_t word = 0; word < 64; ++word) {
+      reference::Ray ray{{0, 0, -10}, {0, 0, 1}};
+      reference::Counters counters;
+      const reference::Hit hit = rounded.closest(ray, counters, {glm::dvec3(0), word});
+      REQUIRE(hit.primitive != reference::kNoPrimitive);
+      behind += hit.primitive;
+    }
+    return behind;
+  };
+  CHECK(hitsBehind(3e-4f) > 0);
+  CHECK(hitsBehind(3e-4f) < 64);
+  CHECK(hitsBehind(0.1f) == 0);
 }

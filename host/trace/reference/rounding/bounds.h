@@ -10,17 +10,18 @@ inline constexpr double kRoundoff = 0x1p-24;
 /// the quantity in `shaders/`. Vulkan's precision ("Precision and Operation of SPIR-V Instructions"): 1 for + - *, 5
 /// for a division (2.5 ulp), 4 for inversesqrt, hence 6.4 for sqrt (1 / inversesqrt). docs/testing.md has the table.
 struct RoundingBounds {
-  double cameraDirection = 5;  ///< of a unit vector, per axis: three rounded axes of the view, products, sums, one
-                               ///< division
-  double lensPoint = 5;        ///< relative, per axis
-  double triangleTest = 6;     ///< of the farthest vertex: differences, shear (a division), products of coordinates
-  double sphereTest = 4;       ///< of the distance to the anchor: differences, products, sums
-  double boxTest = 6;          ///< of the farthest corner: differences, reciprocal of the direction
-  double coneTest = 8;         ///< of the distance to the base plus the height: axis, products, sums
-  double planeTest = 3;        ///< of the distance to the plane's point: difference, products, sums
-  double hitDistance = 8;      ///< relative: quotient of the last step, between primitives at equal distances
-  double position = 6;         ///< of the largest coordinate or distance: o + t d, put back onto the primitive, offset
-  double normal = 3;           ///< of a unit vector, per axis, apart from the position's error
+  double cameraDirection = 5;    ///< of a unit vector, per axis: three rounded axes of the view, products, sums, one
+                                 ///< division
+  double lensPoint = 5;          ///< relative, per axis
+  double triangleTest = 6;       ///< of the farthest vertex: differences, shear (a division), products of coordinates
+  double triangleWeights = 2.5;  ///< of the sum of the products of a triangle's weights; distances are rounded up by it
+  double sphereTest = 4;         ///< of the distance to the anchor: differences, products, sums
+  double boxTest = 6;            ///< of the farthest corner: differences, reciprocal of the direction
+  double coneTest = 8;           ///< of the distance to the base plus the height: axis, products, sums
+  double planeTest = 3;          ///< of the distance to the plane's point: difference, products, sums
+  double hitDistance = 8;        ///< relative: quotient of the last step, between primitives at equal distances
+  double position = 6;  ///< of the largest coordinate or distance: o + t d, put back onto the primitive, offset
+  double normal = 3;    ///< of a unit vector, per axis, apart from the position's error
   double texCoord = 9;  ///< of the sum of the magnitudes of its terms and 1: interpolation (a division), transform
   double frame = 4;     ///< of a direction turned into or out of the shading frame, per axis
   double sampledDirection = 6;  ///< relative, per local axis: roots of the warps

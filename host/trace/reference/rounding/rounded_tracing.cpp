@@ -21,6 +21,25 @@ double signBy(std::uint64_t word, std::uint32_t number) {
   return (splitMix(word + number * kSplitMixStep) & 1) != 0 ? 1 : -1;
 }
 
+// The bound of the error of the distance of a triangle that the errors of its weights cause, by which the device rounds
+// it up: docs/light-transport.md section 4.
+double distanceError(const TriangleShape& triangle, const Ray& ray) {
+  const dvec3 size = glm::abs(ray.direction);
+  const int z = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  const int x = (z + 1) % 3, y = (z + 2) % 3;
+  const auto sheared = [&](const dvec3& corner) {
+    const dvec3 p = corner - ray.origin;
+    const double depth = p[z] / ray.direction[z];
+    return dvec3(p[x] - ray.direction[x] * depth, p[y] - ray.direction[y] * depth, depth);
+  };
+  const dvec3 a = sheared(triangle.corner), b = sheared(triangle.corner1), c = sheared(triangle.corner2);
+  const double products = std::abs(c.x * b.y) + std::abs(a.x * c.y) + std::abs(b.x * a.y);
+  const double weights = std::abs(c.x * b.y - c.y * b.x) + std::abs(a.x * c.y - a.y * c.x) +
+                         std::abs(b.x * a.y - b.y * a.x);
+  const double depth = std::abs(a.z - b.z) + std::abs(b.z - c.z);
+  return weights > 0 ? kRoundingBounds.triangleWeights * kRoundoff * products * depth / weights : 0;
+}
+
 double texCoordError(const glm::vec3& row, const dvec2& scale) {
   const dvec3 terms = glm::abs(dvec3(row)) * dvec3(scale, 1);
   return kRoundingBounds.texCoord * kRoundoff * (1 + terms.x + terms.y + terms.z);
@@ -92,6 +111,12 @@ double RoundedTracing::roundedDistance(const Tracing::Item& item, double exact, 
   return exact * (1 + kTie / 2 * signOf(item, word));
 }
 
+double RoundedTracing::raisedBy(const Tracing::Item& item, const Ray& ray, std::uint64_t word) const {
+  const auto* const triangle = std::get_if<TriangleShape>(&item.shape);
+  if (triangle == nullptr || tracing_.mayCoincide(item)) return 0;
+  return distanceError(*triangle, ray) * (1 + signOf(item, word));
+}
+
 bool RoundedTracing::passes(const Tracing::Item& item, const Ray& ray, std::uint64_t word) const {
   if (!item.transparent) return false;
   const MeshAttributes attributes = attributesAtHit(scene_, item.primitive, ray);
@@ -112,7 +137,8 @@ Hit RoundedTracing::closest(Ray& ray, Counters& counters, const RayErrors& error
     const double exact = tracing_.distance(item, tested, origin);
     if (!(exact < best.distance * (1 + kTie))) return false;
     const double rounded = roundedDistance(item, exact, errors.word);
-    const Tracing::Candidate candidate = tracing_.candidate(item, tested, rounded);
+    const double compared = rounded + raisedBy(item, tested, errors.word);
+    const Tracing::Candidate candidate = tracing_.candidate(item, tested, compared);
     if (!(candidate < best) || passes(item, tested, errors.word)) return false;
     best = candidate;
     nearest = {rounded, item.primitive};
@@ -144,7 +170,8 @@ bool RoundedTracing::isOccluded(const Ray& ray, const RayEnd& end, Counters& cou
       hides = tracing_.hidesEmitter(item, roundedDistance(item, t, errors.word), *light, ofLight());
     const double sign = signOf(item, errors.word);
     const double fraction = kLightMargin + sign * kRoundingBounds.lightDepth * kRoundoff;
-    occluded = hides.value_or(t < end.distance * (1 - kTie / 2 * sign) &&
+    const double compared = t + raisedBy(item, tested, errors.word);
+    occluded = hides.value_or(compared < end.distance * (1 - kTie / 2 * sign) &&
                               !tracing_.containsLight(item, tested, t, end, fraction));
     return occluded;
   });

@@ -46,6 +46,8 @@ class RoundedTracing {
   /// Returns the sign of the error of the item's distance.
   double signOf(const Tracing::Item& item, std::uint64_t word) const;
   double roundedDistance(const Tracing::Item& item, double exact, std::uint64_t word) const;
+  /// Returns what is added to the distance of an item in comparisons: those of needles are rounded up.
+  double raisedBy(const Tracing::Item& item, const Ray& ray, std::uint64_t word) const;
   bool passes(const Tracing::Item& item, const Ray& ray, std::uint64_t word) const;
 
   const scene::Scene& scene_;
