@@ -102,6 +102,8 @@ SceneReport makeReport(const LoadedScene& loaded) {
   report.filmScale = filmScaleOf(scene);
   report.requestedAccel = scene.requestedAccel;
   report.requestedSamples = scene.requestedSamples;
+  report.requestedMaxDepth = scene.requestedMaxDepth;
+  report.requestedFilter = scene.requestedFilter;
   report.hash = scene.hash;
   for (const Diagnostic& warning : loaded.warnings) report.warnings.push_back(toString(warning));
   return report;

@@ -45,6 +45,8 @@ struct SceneReport {
   std::uint32_t filmScale = 0;           ///< as filmScaleOf() returns it
   std::optional<RequestedAccel> requestedAccel;
   std::optional<std::uint32_t> requestedSamples;
+  std::optional<std::uint32_t> requestedMaxDepth;
+  std::optional<RequestedFilter> requestedFilter;
   std::uint64_t hash = 0;
   SceneMemory memory;
   std::vector<std::string> warnings;

@@ -34,6 +34,8 @@ json orNull(const std::optional<Value>& value, Convert convert) {
 
 std::string toText(RequestedAccel accel) { return kRequestedAccelNames[static_cast<std::size_t>(accel)]; }
 
+std::string toText(RequestedFilter filter) { return filter == RequestedFilter::box ? "box" : "tent"; }
+
 std::string toText(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
 
 std::string toText(const Camera& c) {
@@ -106,6 +108,8 @@ std::string toText(const SceneReport& r) {
   line("background", r.skySide ? fmt::format("sky box, faces up to {} texels", *r.skySide) : toText(r.background));
   if (r.requestedAccel) line("accel", fmt::format("{} requested", toText(*r.requestedAccel)));
   if (r.requestedSamples) line("spp", fmt::format("{} requested", *r.requestedSamples));
+  if (r.requestedMaxDepth) line("max depth", fmt::format("{} requested", *r.requestedMaxDepth));
+  if (r.requestedFilter) line("filter", fmt::format("{} requested", toText(*r.requestedFilter)));
   line("memory", memoryText(r.memory));
   line("hash", hashText(r.hash));
   for (const std::string& warning : r.warnings) line("warning", warning);
@@ -163,6 +167,8 @@ json toJson(const SceneReport& r) {
       {"filmScale", r.filmScale},
       {"requestedAccel", orNull(r.requestedAccel, [](RequestedAccel accel) { return json(toText(accel)); })},
       {"requestedSamplesPerPixel", orNull(r.requestedSamples, same)},
+      {"requestedMaxDepth", orNull(r.requestedMaxDepth, same)},
+      {"requestedFilter", orNull(r.requestedFilter, [](RequestedFilter filter) { return json(toText(filter)); })},
       {"memory", toJson(r.memory)},
       {"warnings", r.warnings},
   };

@@ -13,7 +13,7 @@ constexpr float kMaxReach = 1e30f;
 const std::vector<std::pair<std::string, bool>> kOnOff{{"on", true}, {"off", false}};
 
 std::string defaultDepths() {
-  return fmt::format("{}; whitted: {}", defaultMaxDepth(render::Integrator::path),
+  return fmt::format("the scene's, else {}; whitted: {}", defaultMaxDepth(render::Integrator::path),
                      defaultMaxDepth(render::Integrator::whitted));
 }
 
@@ -62,7 +62,7 @@ std::vector<Option> imageOptions() {
     valued<TracingArguments>({"--sampler", kGroup, "how random numbers are generated"},
            named<render::SamplerKind>(), [](auto& a) -> auto& { return a.request.image.sampler; }),
     valued<TracingArguments>({"--filter", kGroup, "pixel filter"},
-           named<render::FilterKind>(), [](auto& a) -> auto& { return a.request.image.filter; }),
+           orAbsent(named<render::FilterKind>(), "the scene's, else box"), [](auto& a) -> auto& { return a.request.filter; }),
     valued<TracingArguments>({"--lens", kGroup, "shape of the lens, if the scene's camera has an aperture"},
            named<render::LensKind>(), [](auto& a) -> auto& { return a.request.image.lens; }),
     valued<TracingArguments>({"--pixel-origin", kGroup, "points through which camera rays pass without jitter: the centres of the pixels, or the corners of a grid of (W-1)x(H-1) cells"},

@@ -20,6 +20,15 @@ AccelKind accelOf(const scene::Scene& scene) {
   return AccelKind::bvh;
 }
 
+FilterKind filterOf(const scene::Scene& scene) {
+  return scene.requestedFilter == scene::RequestedFilter::tent ? FilterKind::tent : FilterKind::box;
+}
+
+std::uint32_t maxDepthOf(const scene::Scene& scene, Integrator integrator) {
+  const std::uint32_t absent = defaultMaxDepth(integrator);
+  return integrator == Integrator::path ? scene.requestedMaxDepth.value_or(absent) : absent;
+}
+
 }  // namespace
 
 RenderSettings::RenderSettings(const RenderRequest& request)
@@ -32,7 +41,8 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.image.antialiasing = samples > 0;
   settings.image.sampleCount = samples > 0 ? samples : 1;
   settings.image.size = request.size.value_or(Extent{scene.camera->width, scene.camera->height});
-  settings.image.maxDepth = request.maxDepth.value_or(defaultMaxDepth(settings.image.integrator));
+  settings.image.maxDepth = request.maxDepth.value_or(maxDepthOf(scene, settings.image.integrator));
+  settings.image.filter = request.filter.value_or(filterOf(scene));
   const bool isView = render::isView(settings.image.integrator);
   settings.image.filmScale = request.filmScale ? *request.filmScale : isView ? 0 : filmScaleOf(scene);
   const bool hasLights = settings.image.integrator == Integrator::path;
@@ -48,6 +58,7 @@ RenderRequest requestOf(const RenderSettings& settings) {
           .size = image.size,
           .accel = settings.structure.accel,
           .maxDepth = image.maxDepth,
+          .filter = image.filter,
           .filmScale = image.filmScale,
           .lights = image.lights,
           .image = image,

@@ -14,7 +14,9 @@ struct RenderRequest {
   std::optional<std::uint32_t> sampleCount;
   std::optional<Extent> size;              ///< default: the resolution of the scene's camera
   std::optional<AccelKind> accel;          ///< default: BVH
-  std::optional<std::uint32_t> maxDepth;   ///< default: defaultMaxDepth()
+  /// Default: that of the scene for the path tracer, else defaultMaxDepth().
+  std::optional<std::uint32_t> maxDepth;
+  std::optional<FilterKind> filter;        ///< default: box
   std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
   std::optional<LightSelection> lights;    ///< default: selectionFor(), and power for other integrators than path
   ImageChoices image;

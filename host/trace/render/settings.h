@@ -78,7 +78,6 @@ struct ImageChoices {
   std::optional<float> aoDistance;  ///< maximum length of `ao` rays in units of the scene, > 0; absent: |from - at| / 4
   bool nextEventEstimation = true;
   SamplerKind sampler = SamplerKind::sobol;
-  FilterKind filter = FilterKind::box;
   LensKind lens = LensKind::disc;
   PixelOrigin pixelOrigin = PixelOrigin::centre;
   float lightSize = 0;                 ///< side of the squares that replace point lights, >= 0; Whitted only
@@ -102,6 +101,7 @@ struct ImageChoices {
 struct ImageSettings : ImageChoices {
   Extent size{};                   ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
+  FilterKind filter = FilterKind::box;
   bool antialiasing = true;        ///< false: each camera ray passes through its pixel's origin
   /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
   std::uint32_t maxDepth = 64;

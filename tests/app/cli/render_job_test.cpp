@@ -106,6 +106,27 @@ TEST_CASE("the maximum depth is that of the integrator unless the command line s
   CHECK(statedSettings.image.maxDepth == 7);
 }
 
+TEST_CASE("a file can request the maximum depth of paths and the filter") {
+  std::ostringstream sink;
+  const Log log(sink, Verbosity::normal);
+  scene::Scene scene = sceneWithCamera();
+  scene.requestedMaxDepth = 9;
+  scene.requestedFilter = scene::RequestedFilter::tent;
+  const render::RenderSettings byFile = jobOf(RenderArguments(), shared(scene), log).settings;
+  CHECK(byFile.image.maxDepth == 9);
+  CHECK(byFile.image.filter == render::FilterKind::tent);
+  CHECK(render::requestOf(byFile).filter == render::FilterKind::tent);
+  RenderArguments stated;
+  stated.request.maxDepth = 3;
+  stated.request.filter = render::FilterKind::box;
+  const render::RenderSettings byOption = jobOf(stated, shared(scene), log).settings;
+  CHECK(byOption.image.maxDepth == 3);
+  CHECK(byOption.image.filter == render::FilterKind::box);
+  RenderArguments whitted;
+  whitted.request.image.integrator = render::Integrator::whitted;
+  CHECK(jobOf(whitted, shared(sceneWithCamera()), log).settings.image.maxDepth == 4);
+}
+
 TEST_CASE("images of a camera that is not the scene's name it") {
   scene::Camera camera;
   Metadata metadata;
