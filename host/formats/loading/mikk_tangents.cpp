@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace candela::scene {
 namespace {
@@ -176,6 +177,15 @@ dvec3 meanTangent(const std::vector<Face>& faces, const std::vector<Corner>& cor
   return unitOrZero(sum);
 }
 
+template <class Value>
+void repeatByCorner(std::vector<Value>& attribute, const std::vector<std::uint32_t>& indices) {
+  if (attribute.empty()) return;
+  std::vector<Value> corners;
+  corners.reserve(indices.size());
+  for (const std::uint32_t index : indices) corners.push_back(attribute[index]);
+  attribute = std::move(corners);
+}
+
 }  // namespace
 
 std::vector<glm::vec4> mikkTangents(const Mesh& mesh, const TextureReference& reference) {
@@ -196,6 +206,17 @@ std::vector<glm::vec4> mikkTangents(const Mesh& mesh, const TextureReference& re
   }
   for (std::size_t i = 0; i < tangents.size(); ++i) tangents[i].w = faces[i / 3].preserves ? 1.0f : -1.0f;
   return tangents;
+}
+
+void addMikkTangents(Mesh& mesh, const TextureReference& reference) {
+  std::vector<glm::vec4> tangents = mikkTangents(mesh, reference);
+  const std::vector<std::uint32_t> indices = std::move(mesh.indices);
+  mesh.indices.clear();
+  repeatByCorner(mesh.positions, indices);
+  repeatByCorner(mesh.normals, indices);
+  for (std::vector<glm::vec2>& set : mesh.texCoords) repeatByCorner(set, indices);
+  repeatByCorner(mesh.colours, indices);
+  mesh.tangents = std::move(tangents);
 }
 
 }  // namespace candela::scene

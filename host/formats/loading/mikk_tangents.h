@@ -14,4 +14,7 @@ namespace candela::scene {
 /// coordinates have none and that no other triangle continues, have tangents of length 0.
 std::vector<glm::vec4> mikkTangents(const Mesh& mesh, const TextureReference& reference);
 
+/// Gives a mesh with indices the tangents of mikkTangents(), and thereby a vertex to each corner, and no indices.
+void addMikkTangents(Mesh& mesh, const TextureReference& reference);
+
 }  // namespace candela::scene

@@ -50,27 +50,6 @@ scene::Mesh attributesOf(const ObjModel& model, const Run& form, const std::vect
   return mesh;
 }
 
-template <class Value>
-void repeatByCorner(std::vector<Value>& attribute, const std::vector<std::uint32_t>& indices) {
-  if (attribute.empty()) return;
-  std::vector<Value> corners;
-  corners.reserve(indices.size());
-  for (const std::uint32_t index : indices) corners.push_back(attribute[index]);
-  attribute = std::move(corners);
-}
-
-/// Gives the mesh the tangents of scene::mikkTangents(), and thereby a vertex to each corner.
-void addTangents(scene::Mesh& mesh, const scene::TextureReference& texture) {
-  std::vector<glm::vec4> tangents = scene::mikkTangents(mesh, texture);
-  const std::vector<std::uint32_t> indices = std::move(mesh.indices);
-  mesh.indices.clear();
-  repeatByCorner(mesh.positions, indices);
-  repeatByCorner(mesh.normals, indices);
-  repeatByCorner(mesh.texCoords[0], indices);
-  repeatByCorner(mesh.colours, indices);
-  mesh.tangents = std::move(tangents);
-}
-
 class MeshAssembly {
  public:
   MeshAssembly(const ObjModel& model, std::span<const std::uint32_t> materials, scene::Scene& scene)
@@ -112,7 +91,7 @@ class MeshAssembly {
     mesh.indices = std::move(indices);
     if (form.hasNormals) scene::replaceZeroNormals(mesh);
     const auto& tangentTexture = tangentTextureOf(scene_.materials[materialOf(form)]);
-    if (tangentTexture && form.hasTexCoords) addTangents(mesh, *tangentTexture);
+    if (tangentTexture && form.hasTexCoords) scene::addMikkTangents(mesh, *tangentTexture);
     scene::storeMesh(scene_, std::move(mesh));
   }
 
