@@ -21,13 +21,13 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME candela)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libvulkan1")  # opened when the program runs
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "mesa-vulkan-drivers, libglfw3")  # opened by candela view
-set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Candela renders glTF, OBJ, PLY, P3F and NFF scenes by path tracing on any
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION "Candela renders glTF, Mitsuba, OBJ, PLY, P3F and NFF scenes by path tracing on any
 Vulkan 1.2 device, with or without ray-tracing hardware. An independent
 reference tracer says whether the image is right.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME candela-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libvulkan-dev, libglm-dev, libfmt-dev, nlohmann-json3-dev, libpng-dev, libjpeg-dev, libopenexr-dev, libwebp-dev, zlib1g-dev, libstb-dev, libdraco-dev, libmeshoptimizer-dev")
+    "libvulkan-dev, libglm-dev, libfmt-dev, libpugixml-dev, nlohmann-json3-dev, libpng-dev, libjpeg-dev, libopenexr-dev, libwebp-dev, zlib1g-dev, libstb-dev, libdraco-dev, libmeshoptimizer-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Libraries and headers of Candela, with which another program loads and
 renders scenes.")
 

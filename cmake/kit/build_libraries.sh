@@ -47,3 +47,4 @@ build fmtlib -DFMT_DOC=OFF -DFMT_TEST=OFF
 build imath
 build openexr -DOPENEXR_BUILD_TOOLS=OFF -DOPENEXR_INSTALL_EXAMPLES=OFF
 build meshoptimizer
+build pugixml

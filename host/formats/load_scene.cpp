@@ -5,9 +5,12 @@
 
 #include <vector>
 
+#include "host/base/errors.h"
 #include "host/base/hash.h"
+#include "host/base/setting_words.h"
 #include "host/formats/gltf/gltf_loader.h"
 #include "host/formats/loading/read_file.h"
+#include "host/formats/mitsuba/mitsuba_loader.h"
 #include "host/formats/nff/nff_loader.h"
 #include "host/formats/obj/obj_loader.h"
 #include "host/formats/orbit.h"
@@ -51,7 +54,12 @@ scene::SceneFile fileOf(const std::filesystem::path& path, std::string_view byte
 
 std::unique_ptr<scene::SceneReader> open(const scene::SceneFile& file, const scene::LoadOptions& options,
                                          bool isOften) {
-  return chooseLoader(allLoaders(), file).open(file, options, isOften);
+  const scene::Loader& loader = chooseLoader(allLoaders(), file);
+  if (!options.definitions.empty() && !loader.hasParameters) {
+    throw UsageError(fmt::format("{}: {} is no scene of Mitsuba, whose parameters it would set",
+                                 settingWords("define", options.definitions.front()), file.name));
+  }
+  return loader.open(file, options, isOften);
 }
 
 scene::LoadedScene complete(scene::LoadedScene loaded, const scene::LoadOptions& options,
@@ -64,8 +72,8 @@ scene::LoadedScene complete(scene::LoadedScene loaded, const scene::LoadOptions&
 }  // namespace
 
 std::span<const scene::Loader> allLoaders() {
-  static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), ply::plyLoader(), obj::objLoader(),
-                                                  scene::nffLoader()};
+  static const std::vector<scene::Loader> loaders{gltf::gltfLoader(), ply::plyLoader(), mitsuba::mitsubaLoader(),
+                                                  obj::objLoader(), scene::nffLoader()};
   return loaders;
 }
 

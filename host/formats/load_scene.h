@@ -19,7 +19,8 @@ std::span<const scene::Loader> allLoaders();
 class SceneSource {
  public:
   /// The format is recognised by the file's content, or else by its extension. Throws SceneError with every error that
-  /// was found, and FileError if the file cannot be read or is larger than 1 GiB.
+  /// was found, FileError if the file cannot be read or is larger than 1 GiB, and UsageError for definitions that are
+  /// wrong, or if the format has no parameters.
   SceneSource(const std::filesystem::path& path, scene::LoadOptions options);
   SceneSource(const SceneSource&) = delete;
   SceneSource& operator=(const SceneSource&) = delete;
@@ -38,7 +39,7 @@ class SceneSource {
 };
 
 /// The scene of a file in memory, whose format is recognised by its content, or else by the extension of its name.
-/// Throws SceneError with every error that was found.
+/// Throws SceneError with every error that was found, and UsageError for definitions as SceneSource does.
 scene::LoadedScene loadScene(const scene::SceneFile& file, const scene::LoadOptions& options = {});
 
 /// The format is recognised by the file's content, or else by its extension. Throws SceneError with every error that

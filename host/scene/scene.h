@@ -153,12 +153,12 @@ struct Scene {
   std::vector<PointLight> pointLights;
   std::vector<PunctualLight> punctualLights;
 
-  std::optional<RequestedAccel> requestedAccel;   ///< `accel`
-  std::optional<std::uint32_t> requestedSamples;  ///< `spp`, samples per pixel in total; 0: no antialiasing
+  std::optional<RequestedAccel> requestedAccel;    ///< `accel`
+  std::optional<std::uint32_t> requestedSamples;   ///< `spp`, samples per pixel in total; 0: no antialiasing
   std::optional<std::uint32_t> requestedMaxDepth;  ///< maximum number of rays in a path, counting the camera ray, >= 1
   std::optional<RequestedFilter> requestedFilter;
-  std::optional<ExactMean> exactMean;             ///< for paths of any length, with and without next-event estimation
-  std::uint64_t hash = 0;                         ///< of everything that was read, sky images included
+  std::optional<ExactMean> exactMean;  ///< for paths of any length, with and without next-event estimation
+  std::uint64_t hash = 0;              ///< of everything that was read, sky images included
 };
 
 /// Returns the mesh of a primitive that is a triangle.

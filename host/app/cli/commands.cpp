@@ -9,8 +9,8 @@ namespace candela::cli {
 std::span<const CommandInfo> commandTable() {
   constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
   static const std::array<CommandInfo, 19> table{{
-      {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, OBJ, PLY, P3F or NFF", "scene", 1,
-       1},
+      {Command::render, "render", "[render] SCENE -o FILE", "render a scene: glTF, Mitsuba, OBJ, PLY, P3F or NFF",
+       "scene", 1, 1},
       {Command::view, "view", "view SCENE",
        "show a scene in a window while a device, the reference tracer or both render it", "scene", 1, 1},
       {Command::devices, "devices", "devices", "list the Vulkan devices", "", 0, 0},

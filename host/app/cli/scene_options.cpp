@@ -87,17 +87,19 @@ std::vector<Option> imageOptions() {
 std::vector<Option> sceneFileOptions() {
   constexpr OptionGroup kGroup = OptionGroup::sceneFile;
   return {
-    flag<SceneArguments>({"--lenient", kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF and OBJ, leave out images that cannot be read; replace pixels of an environment that are not finite"},
+    flag<SceneArguments>({"--lenient", kGroup, "read faulty files as far as possible, with warnings: skip unknown statements and complete short ones; for glTF and OBJ, leave out images that cannot be read; for Mitsuba, replace what is not rendered; replace pixels of an environment that are not finite"},
          [](auto& a) -> auto& { return a.loadOptions.lenient; }),
     paths<SceneArguments>({"--allow-path", kGroup, "folder, besides the scene's own, from which a scene may read files; repeatable"}, "DIR",
           [](auto& a) -> auto& { return a.loadOptions.allowedPaths; }),
+    list<SceneArguments>({"-D,--define", kGroup, "for Mitsuba: value of a parameter, instead of the scene's <default>; repeatable"}, "NAME=VALUE", "a definition",
+         [](auto& a) -> auto& { return a.loadOptions.definitions; }),
     valued<SceneArguments, kSurrounding>({"--env", kGroup, "environment that replaces the background: an equirectangular image (.hdr, .exr, .pfm, .png, .jpg or .webp), `white`, or the daylight `sun:ELEVATION,AZIMUTH,TURBIDITY`"},
            text("FILE", "an environment", "none"), [](auto& a) -> auto& { return a.loadOptions.environment.source; }),
     valued<SceneArguments, kSurrounding>({"--env-rotate", kGroup, "rotation of the environment about the axis that points up, counterclockwise seen from above"},
            realNumber<double>("DEG", -360, 360), [](auto& a) -> auto& { return a.loadOptions.environment.rotation; }),
     valued<SceneArguments, kSurrounding>({"--env-scale", kGroup, "factor of the environment's radiance"},
            realNumber<double>("S", 0, 1e30), [](auto& a) -> auto& { return a.loadOptions.environment.scale; }),
-    valued<SceneArguments>({"--camera", kGroup, "for glTF: name or index of the camera; `none`: a view that frames the model"},
+    valued<SceneArguments>({"--camera", kGroup, "for glTF and Mitsuba: name or index of the camera; `none`: a view that frames the model"},
            orAbsent(text("NAME|N", "a camera"), "the first, else none"), [](auto& a) -> auto& { return a.loadOptions.camera; }),
     valued<SceneArguments>({"--time", kGroup, "for glTF: time in the animation, in seconds"},
            orAbsent(realNumber<double>("SECONDS", 0, 1e9), "the pose at rest"), [](auto& a) -> auto& { return a.loadOptions.time; }),

@@ -21,8 +21,11 @@ using cli::Command;
 using cli::OptionGroup;
 
 const FunctionOptions kLoadOptions{"load", Command::check, {OptionGroup::sceneFile}};
-const FunctionOptions kSceneOptions{
-    "Scene", Command::check, {OptionGroup::sceneFile}, {}, {"--camera", "--time", "--animation", "--orbit"}};
+const FunctionOptions kSceneOptions{"Scene",
+                                    Command::check,
+                                    {OptionGroup::sceneFile},
+                                    {},
+                                    {"--camera", "--time", "--animation", "--orbit", "--define"}};
 const FunctionOptions kRenderOptions{"render",
                                      Command::render,
                                      {OptionGroup::image, OptionGroup::execution, OptionGroup::film},
@@ -64,6 +67,8 @@ namespace {
 // Python's name of the option for layers is a plural, because it takes several.
 constexpr const char* kLayerOption = "--aov";
 constexpr const char* kLayerKeyword = "aovs";
+
+constexpr const char* kDefinitions = "--define";  // whose values are texts, one or several
 
 // Returns whether a value is a floating-point number, of Python or NumPy, without a fraction.
 bool isWholeFloat(const py::handle& value) {
@@ -134,12 +139,13 @@ void setFlag(const cli::Option& option, const py::handle& value, cli::Arguments&
 void set(const cli::Option& option, const py::handle& value, cli::Arguments& arguments) {
   if (option.isFlag()) return setFlag(option, value, arguments);
   if (option.name() == kLayerOption && isList(value) && py::len(value) == 0) return;
-  if (option.expected != "a path") return setOption(option, valueText(value, option), arguments);
-  const auto add = [&](const py::handle& file) {
-    setOption(option, fileOf(keywordOf(option), file).string(), arguments);
+  const bool isPath = option.expected == "a path";
+  if (!isPath && option.name() != kDefinitions) return setOption(option, valueText(value, option), arguments);
+  const auto add = [&](const py::handle& item) {
+    setOption(option, isPath ? fileOf(keywordOf(option), item).string() : wordOf(item), arguments);
   };
   if (!isList(value)) return add(value);
-  for (const py::handle& file : value) add(file);
+  for (const py::handle& item : value) add(item);
 }
 
 std::string nameOf(std::string keyword) {

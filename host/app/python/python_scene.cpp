@@ -143,7 +143,8 @@ void defineScene(py::module_& module) {
       .def_property_readonly("report", &PythonScene::report)
       .def("__repr__", &sceneText);
   module.def("load", &load, py::arg("file"), py::pos_only(),
-             ("load(file, /, **options) -> Scene\n\nReads a scene: glTF, OBJ, PLY, P3F or NFF.\n\n" + options).c_str());
+             ("load(file, /, **options) -> Scene\n\nReads a scene: glTF, Mitsuba, OBJ, PLY, P3F or NFF.\n\n" + options)
+                 .c_str());
 }
 
 }  // namespace candela::python

@@ -20,6 +20,7 @@ struct LoadOptions {
   std::optional<std::string> camera{};     ///< name or index of one of the file's cameras; "none": a view of everything
   std::optional<double> time{};            ///< seconds at which an animation is evaluated; empty: at rest
   std::optional<std::string> animation{};  ///< name or index of one of the file's animations; empty: the first
+  std::vector<std::string> definitions{};  ///< "NAME=VALUE" each: values of the parameters of a Mitsuba scene
   double orbit = 0;  ///< degrees by which the camera is turned about its target, see formats::orbitedCamera()
   EnvironmentRequest environment{};  ///< replaces the background, and the default light
 

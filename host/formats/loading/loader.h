@@ -43,6 +43,7 @@ struct Loader {
   /// Returns a reader, which ignores LoadOptions::time. The bytes of the file must outlive it. Throws as
   /// SceneReader::at() does. If `isOften`, at() is called for several moments: the reader keeps what they share.
   std::unique_ptr<SceneReader> (*open)(const SceneFile& file, const LoadOptions& options, bool isOften);
+  bool hasParameters = false;  ///< that LoadOptions::definitions set
 };
 
 /// Returns the first loader that recognises the bytes, else the first that has the extension of `file` (in any case).

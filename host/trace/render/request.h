@@ -12,8 +12,8 @@ namespace candela::render {
 struct RenderRequest {
   /// Samples per pixel; 0: one sample through the pixel's origin, without antialiasing. Default: 16.
   std::optional<std::uint32_t> sampleCount;
-  std::optional<Extent> size;              ///< default: the resolution of the scene's camera
-  std::optional<AccelKind> accel;          ///< default: BVH
+  std::optional<Extent> size;      ///< default: the resolution of the scene's camera
+  std::optional<AccelKind> accel;  ///< default: BVH
   /// Default: that of the scene for the path tracer, else defaultMaxDepth().
   std::optional<std::uint32_t> maxDepth;
   std::optional<FilterKind> filter;        ///< default: box

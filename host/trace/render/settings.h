@@ -102,7 +102,7 @@ struct ImageSettings : ImageChoices {
   Extent size{};                   ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
   FilterKind filter = FilterKind::box;
-  bool antialiasing = true;        ///< false: each camera ray passes through its pixel's origin
+  bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin
   /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
   std::uint32_t maxDepth = 64;
   /// Exponent k of the film's scale, at most image::kMaxFilmScale: see image::Film.

@@ -69,8 +69,9 @@ TEST_CASE("each setting of films has the name, the default and the values of an 
 // A new option that decides the image and that films do not record would let films be resumed with another value.
 TEST_CASE("every option that decides the image is a setting of films, or a member of their headers") {
   std::set<std::string> recorded{"--size", "--spp", "--seed", "--film-scale"};
-  // The folders that files may be in do not change what is read, and the scene's hash covers the environment.
-  recorded.insert({"--allow-path", "--env"});
+  // The folders that files may be in do not change what is read, and the scene's hash covers the environment and the
+  // definitions.
+  recorded.insert({"--allow-path", "--env", "--define"});
   for (const job::FilmSetting& setting : job::filmSettings()) recorded.insert("--" + std::string(setting.name));
   for (const Option& option : optionTable()) {
     const bool decides = option.group == OptionGroup::image || option.group == OptionGroup::sceneFile;

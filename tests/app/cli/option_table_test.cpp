@@ -50,6 +50,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--one-sided", "", ""},
       {"--lenient", "", ""},
       {"--allow-path", "DIR", ""},
+      {"-D,--define", "NAME=VALUE", ""},
       {"--env", "FILE", "none"},
       {"--env-rotate", "DEG", "0"},
       {"--env-scale", "S", "1"},

@@ -53,7 +53,8 @@ TEST_CASE("an option prints the value that it was given") {
       {"--jobs", {"1", "16", "auto"}},
       {"--shuffle", {"0", "7", "off"}},
       {"--timeout", {"0.5s", "90s"}},
-      {"--allow-path", {"/a", "b c"}}};
+      {"--allow-path", {"/a", "b c"}},
+      {"--define", {"spp=4", "name=a b"}}};
   for (const auto& [name, values] : samples) {
     Arguments arguments = argumentsWith(find(name));
     for (const std::string& value : values) {

@@ -1,0 +1,342 @@
+// Maps the parameters of BSDFs to lobes and to parameters of surfaces.
+#include "host/formats/mitsuba/bsdfs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "host/base/lower_case.h"
+#include "host/base/quote.h"
+#include "host/formats/mitsuba/materials.h"
+#include "host/formats/mitsuba/names.h"
+
+namespace candela::mitsuba {
+namespace {
+
+using scene::quote;
+using scene::TextureSlot;
+
+constexpr int kMaxNesting = 16;  // of nested BSDFs
+
+/// BSDFs of Mitsuba that are not rendered, and have no nested one.
+constexpr std::array<std::string_view, 15> kOtherBsdfs{"hair",      "measured",       "measured_polarized",
+                                                       "polarizer", "retarder",       "circular",
+                                                       "pplastic",  "principledthin", "phong",
+                                                       "ward",      "irawan",         "difftrans",
+                                                       "hk",        "mixturebsdf",    "roughcoating"};
+constexpr std::array<std::string_view, 3> kNestingBsdfs{"bumpmap", "blendbsdf", "coating"};
+constexpr std::array<std::string_view, 13> kRenderedBsdfs{
+    "diffuse", "dielectric",   "thindielectric", "roughdielectric", "conductor", "roughconductor",
+    "plastic", "roughplastic", "principled",     "twosided",        "mask",      "normalmap",
+    "null"};
+
+void set(scene::Material& material, TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
+  material.textures[static_cast<std::size_t>(slot)] = texture;
+}
+
+glm::vec3 limited(const glm::dvec3& colour) { return glm::vec3(glm::clamp(colour, 0.0, 1.0)); }
+
+/// Candela's perceptual roughness, of which Mitsuba's alpha is the square.
+float roughnessOf(double alpha) { return static_cast<float>(std::sqrt(std::clamp(alpha, 0.0, 1.0))); }
+
+/// Only surfaces with parameters have normal maps. Those of a lobe scatter as the lobe does, except that mirrors and
+/// glass have the least roughness that there is.
+void makeSurface(scene::Material& material) {
+  if (material.surface) return;
+  scene::SurfaceParameters surface;
+  surface.roughness = 0;
+  if (material.diffuse) {
+    surface.baseColour = material.diffuse->colour;
+    surface.specularWeight = 0;
+    surface.ior = 0;
+  } else if (material.mirror) {
+    surface.baseColour = material.mirror->colour;
+    surface.metalness = 1;
+  } else if (material.dielectric) {
+    surface.baseColour = material.dielectric->colour;
+    surface.ior = std::max(material.dielectric->ior, 1.0f);
+    surface.transmissionWeight = 1;
+    surface.isThinWalled = false;
+  }
+  material.surface = surface;
+  material.diffuse.reset();
+  material.mirror.reset();
+  material.dielectric.reset();
+}
+
+}  // namespace
+
+const Bsdf& Bsdfs::read(const Object& bsdf) {
+  const auto known = known_.find(&bsdf);
+  if (known != known_.end()) return known->second;
+  return known_[&bsdf] = make(bsdf, 1);
+}
+
+Bsdf Bsdfs::make(const Object& bsdf, int depth) {
+  if (depth > kMaxNesting)
+    throw PlacedError{bsdf.place, fmt::format("BSDFs are nested more than {} deep", kMaxNesting)};
+  const std::string& type = bsdf.type;
+  const auto dispatch = [&]() -> Bsdf {
+    if (type == "diffuse") return diffuse(bsdf);
+    if (type == "dielectric") return dielectric(bsdf);
+    if (type == "thindielectric") return thinDielectric(bsdf);
+    if (type == "roughdielectric") return roughDielectric(bsdf);
+    if (type == "conductor" || type == "roughconductor") return conductor(bsdf, type == "roughconductor");
+    if (type == "plastic" || type == "roughplastic") return plastic(bsdf, type == "roughplastic");
+    if (type == "principled") return principled(bsdf);
+    if (type == "twosided") return twoSided(bsdf, depth);
+    if (type == "mask") return mask(bsdf, depth);
+    if (type == "normalmap") return normalMap(bsdf, depth);
+    if (type == "null") return {.isInvisible = true, .isTwoSided = true};
+    if (std::ranges::count(kNestingBsdfs, type) > 0) return replaced(bsdf, "renders its first nested BSDF", depth);
+    if (std::ranges::count(kOtherBsdfs, type) > 0) return replaced(bsdf, "renders grey instead", depth);
+    throw PlacedError{bsdf.place, fmt::format("unknown BSDF {}{}", quote(type), suggestionFor(type, kRenderedBsdfs))};
+  };
+  Bsdf result = dispatch();
+  result.material.opaque = !result.isTwoSided;
+  bsdf.reportUnused(report_);
+  return result;
+}
+
+Texture Bsdfs::baseColour(const Object& bsdf, const char* name, double absent, Bsdf& result) {
+  Texture colour = textures_.read(bsdf, name, absent, ColourUse::reflectance, Encoding::srgb);
+  set(result.material, TextureSlot::baseColour, colour.reference);
+  result.usesVertexColours = colour.usesVertexColours;
+  return colour;
+}
+
+glm::dvec3 Bsdfs::constant(const Object& bsdf, const char* name, double absent, ColourUse use) {
+  const Texture texture = textures_.read(bsdf, name, absent, use, Encoding::srgb);
+  if (texture.reference || texture.usesVertexColours) {
+    report_.deviate(bsdf.find(name)->place,
+                    fmt::format("a texture of {} of {} is not rendered", quote(name), bsdf.description()),
+                    "renders its brightest value");
+  }
+  return texture.factor;
+}
+
+Bsdf Bsdfs::diffuse(const Object& bsdf) {
+  Bsdf result;
+  const Texture colour = baseColour(bsdf, "reflectance", 0.5, result);
+  result.material.diffuse = scene::DiffuseLobe{.colour = limited(colour.factor)};
+  return result;
+}
+
+Bsdf Bsdfs::dielectric(const Object& bsdf) {
+  Bsdf result{.isTwoSided = true};
+  const double ior = iorOf(bsdf, "int_ior", "bk7") / iorOf(bsdf, "ext_ior", "air");
+  const glm::dvec3 reflected = constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance);
+  const glm::dvec3 transmitted = constant(bsdf, "specular_transmittance", 1, ColourUse::reflectance);
+  if (reflected != transmitted) {
+    report_.deviate(bsdf.place, "a dielectric reflects and transmits by one colour",
+                    "takes \"specular_transmittance\"");
+  }
+  result.material.dielectric = scene::DielectricLobe{.colour = limited(transmitted), .ior = static_cast<float>(ior)};
+  return result;
+}
+
+// Light that is reflected between both sides of the pane, n times, adds up to 2 F / (1 + F). This is exact at normal
+// incidence.
+Bsdf Bsdfs::thinDielectric(const Object& bsdf) {
+  Bsdf result{.isTwoSided = true};
+  const double ior = iorOf(bsdf, "int_ior", "bk7") / iorOf(bsdf, "ext_ior", "air");
+  const double f = std::pow((ior - 1) / (ior + 1), 2);
+  scene::SurfaceParameters surface;
+  surface.roughness = 0;
+  surface.ior = static_cast<float>(std::max(ior, 1 / ior));
+  surface.transmissionWeight = 1;
+  surface.isThinWalled = true;
+  surface.specularColour = glm::vec3(2 / (1 + f) * constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance));
+  surface.baseColour = limited(constant(bsdf, "specular_transmittance", 1, ColourUse::reflectance));
+  result.material.surface = surface;
+  return result;
+}
+
+void Bsdfs::requireGgx(const Object& bsdf) {
+  bsdf.ignore({"sample_visible"}, report_);
+  const std::string distribution = lowerCase(bsdf.text("distribution", "beckmann"));
+  if (distribution == "ggx") return;
+  const bool isKnown = distribution == "beckmann" || distribution == "phong" || distribution == "as";
+  if (!isKnown) throw PlacedError{bsdf.place, fmt::format("{} is no distribution of microfacets", quote(distribution))};
+  report_.deviate(bsdf.place,
+                  fmt::format("{}: the distribution {} is not rendered yet", bsdf.description(), quote(distribution)),
+                  "renders \"ggx\" with the same alpha");
+}
+
+// Along the direction in which the surface is rougher, alpha is mix(b, 1, s^2) with the alpha b across it.
+void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
+  scene::SurfaceParameters& surface = *material.surface;
+  surface.roughness = 1;
+  if (!bsdf.has("alpha_u") && !bsdf.has("alpha_v")) {
+    const Texture alpha = textures_.read(bsdf, "alpha", 0.1, ColourUse::unbounded, Encoding::roughness);
+    set(material, TextureSlot::metallicRoughness, alpha.reference);
+    if (!alpha.reference) surface.roughness = roughnessOf(alpha.factor.x);
+    return;
+  }
+  const Texture u = textures_.read(bsdf, "alpha_u", 0.1, ColourUse::unbounded, Encoding::roughness);
+  const Texture v = textures_.read(bsdf, "alpha_v", 0.1, ColourUse::unbounded, Encoding::roughness);
+  if (u.reference || v.reference) {
+    report_.deviate(bsdf.place, "textures of \"alpha_u\" and \"alpha_v\" are not rendered",
+                    "takes that of \"alpha_u\" for both");
+    const Texture& one = u.reference ? u : v;
+    set(material, TextureSlot::metallicRoughness, one.reference);
+    return;
+  }
+  const double rough = std::clamp(std::max(u.factor.x, v.factor.x), 0.0, 1.0);
+  const double smooth = std::clamp(std::min(u.factor.x, v.factor.x), 1e-4, rough);
+  surface.roughness = roughnessOf(smooth);
+  surface.anisotropy = static_cast<float>(smooth < 1 ? std::sqrt(std::max((rough - smooth) / (1 - smooth), 0.0)) : 0);
+  if (v.factor.x > u.factor.x) surface.anisotropyRotation = static_cast<float>(std::numbers::pi / 2);
+}
+
+Bsdf Bsdfs::roughDielectric(const Object& bsdf) {
+  Bsdf result{.isTwoSided = true};
+  requireGgx(bsdf);
+  const double ior = iorOf(bsdf, "int_ior", "bk7") / iorOf(bsdf, "ext_ior", "air");
+  if (ior < 1) {
+    report_.deviate(
+        bsdf.place,
+        "a rough dielectric whose inside has a smaller index of refraction than its outside is not rendered",
+        "exchanges both");
+  }
+  scene::SurfaceParameters surface;
+  surface.ior = static_cast<float>(std::max(ior, 1 / ior));
+  surface.transmissionWeight = 1;
+  surface.isThinWalled = false;
+  surface.specularColour = glm::vec3(constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance));
+  surface.baseColour = limited(constant(bsdf, "specular_transmittance", 1, ColourUse::reflectance));
+  result.material.surface = surface;
+  setRoughness(bsdf, result.material);
+  return result;
+}
+
+Bsdf Bsdfs::conductor(const Object& bsdf, bool isRough) {
+  Bsdf result;
+  std::optional<scene::Conductor> index;
+  const Property* const material = bsdf.find("material");
+  const bool isStated = bsdf.has("eta") || bsdf.has("k");
+  const std::string name = bsdf.text("material", isOld_ && !isStated ? "Cu" : "none");
+  if (material && name != "none" && isStated) {
+    throw PlacedError{material->place, "a conductor has either \"material\", or \"eta\" and \"k\""};
+  }
+  if (name != "none") {
+    index = metalOf(material ? *material : Property{"material", name, bsdf.place}, name);
+  } else if (isStated) {
+    const double outside = isOld_ ? iorOf(bsdf, "ext_eta", "air") : 1;
+    index = scene::Conductor{glm::max(glm::vec3(constant(bsdf, "eta", 0, ColourUse::unbounded) / outside), kMinIor),
+                             glm::vec3(constant(bsdf, "k", 1, ColourUse::unbounded) / outside)};
+  }
+  const Texture colour = baseColour(bsdf, "specular_reflectance", 1, result);
+  if (isRough) requireGgx(bsdf);
+  if (!index && !isRough) {
+    result.material.mirror = scene::MirrorLobe{limited(colour.factor)};
+    return result;
+  }
+  scene::SurfaceParameters surface;
+  surface.baseColour = limited(colour.factor);
+  surface.metalness = 1;
+  surface.roughness = 0;
+  surface.conductor = index;
+  result.material.surface = surface;
+  if (isRough) setRoughness(bsdf, result.material);
+  return result;
+}
+
+Bsdf Bsdfs::plastic(const Object& bsdf, bool isRough) {
+  Bsdf result;
+  report_.deviate(bsdf.place, fmt::format("{} is not rendered yet", bsdf.description()),
+                  "renders a diffuse surface below a dielectric with microfacets (GGX)");
+  bsdf.ignore({"distribution", "sample_visible"}, report_);
+  bsdf.omit({"nonlinear"}, report_);
+  const Texture colour = baseColour(bsdf, "diffuse_reflectance", 0.5, result);
+  const double ior = iorOf(bsdf, "int_ior", "polypropylene") / iorOf(bsdf, "ext_ior", "air");
+  scene::SurfaceParameters surface;
+  surface.baseColour = limited(colour.factor);
+  surface.roughness = 0;
+  surface.ior = static_cast<float>(std::max(ior, 1.0));
+  surface.specularColour = glm::vec3(constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance));
+  result.material.surface = surface;
+  if (isRough) setRoughness(bsdf, result.material);
+  return result;
+}
+
+// The specular reflectance at normal incidence is 0.08 times "specular".
+Bsdf Bsdfs::principled(const Object& bsdf) {
+  Bsdf result;
+  report_.omit(
+      "what distinguishes bsdf \"principled\" from glTF's metallic-roughness, of which it has base_color, roughness, "
+      "metallic, eta or specular, and spec_trans");
+  bsdf.omit({"anisotropic", "sheen", "sheen_tint", "flatness", "spec_tint", "clearcoat", "clearcoat_gloss"}, report_);
+  bsdf.ignore({"main_specular_sampling_rate", "clearcoat_sampling_rate", "diffuse_reflectance_sampling_rate"}, report_);
+  const Texture colour = baseColour(bsdf, "base_color", 0.5, result);
+  scene::SurfaceParameters surface;
+  surface.baseColour = limited(colour.factor);
+  surface.metalness = static_cast<float>(std::clamp(constant(bsdf, "metallic", 0, ColourUse::unbounded).x, 0.0, 1.0));
+  surface.transmissionWeight = static_cast<float>(
+      std::clamp(constant(bsdf, "spec_trans", 0, ColourUse::unbounded).x, 0.0, 1.0));
+  surface.isThinWalled = surface.transmissionWeight == 0;
+  surface.roughness = static_cast<float>(
+      std::clamp(constant(bsdf, "roughness", 0.5, ColourUse::unbounded).x, 0.0, 1.0));
+  const double specular = std::clamp(bsdf.number("specular", 0.5), 0.0, 1.0);
+  const double ior = bsdf.number("eta", 2 / (1 - std::sqrt(0.08 * specular)) - 1);
+  if (bsdf.has("eta") && bsdf.has("specular"))
+    throw PlacedError{bsdf.place, "a BSDF \"principled\" has either \"eta\" or \"specular\""};
+  surface.ior = static_cast<float>(std::clamp(ior, 1.0, 1e6));
+  result.material.surface = surface;
+  result.isTwoSided = surface.transmissionWeight > 0;
+  return result;
+}
+
+Bsdf Bsdfs::nested(const Object& bsdf, int depth) {
+  const std::vector<const Object*> children = bsdf.nested("bsdf");
+  if (children.empty()) throw PlacedError{bsdf.place, fmt::format("{} has no nested BSDF", bsdf.description())};
+  return make(*children.front(), depth + 1);
+}
+
+Bsdf Bsdfs::twoSided(const Object& bsdf, int depth) {
+  const std::vector<const Object*> children = bsdf.nested("bsdf");
+  bsdf.ignore({"allow_transmission"}, report_);
+  if (children.size() > 2) throw PlacedError{children[2]->place, "a BSDF \"twosided\" has at most two nested BSDFs"};
+  if (children.size() == 2 && children[0] != children[1]) {
+    report_.deviate(children[1]->place, "both sides of a surface have the same BSDF", "takes the first one");
+  }
+  Bsdf result = nested(bsdf, depth);
+  result.isTwoSided = true;
+  return result;
+}
+
+Bsdf Bsdfs::mask(const Object& bsdf, int depth) {
+  Bsdf result = nested(bsdf, depth);
+  const Texture opacity = textures_.read(bsdf, "opacity", 0.5, ColourUse::reflectance, Encoding::alpha);
+  if (result.material.opacity || result.isInvisible) {
+    throw PlacedError{bsdf.place, "a BSDF \"mask\" contains neither another \"mask\" nor \"null\""};
+  }
+  result.material.opacity = scene::Opacity{.factor = opacity.reference ? 1 : static_cast<float>(opacity.factor.x),
+                                           .texture = opacity.reference};
+  return result;
+}
+
+Bsdf Bsdfs::normalMap(const Object& bsdf, int depth) {
+  Bsdf result = nested(bsdf, depth);
+  bsdf.ignore({"flip_invalid_normals", "use_shadowing_function"}, report_);
+  const Texture map = textures_.read(bsdf, "normalmap", 1, ColourUse::unbounded, Encoding::linear);
+  if (result.isInvisible || !map.reference) return result;
+  makeSurface(result.material);
+  set(result.material, TextureSlot::normal, map.reference);
+  return result;
+}
+
+Bsdf Bsdfs::replaced(const Object& bsdf, const char* by, int depth) {
+  report_.deviate(bsdf.place, fmt::format("{} is not rendered", bsdf.description()), by);
+  bsdf.useAll();
+  const bool isWrapper = std::ranges::count(kNestingBsdfs, bsdf.type) > 0;
+  if (isWrapper) return nested(bsdf, depth);
+  Bsdf result{.isTwoSided = true};
+  result.material.diffuse = scene::DiffuseLobe{.colour = glm::vec3(0.5f)};
+  return result;
+}
+
+}  // namespace candela::mitsuba

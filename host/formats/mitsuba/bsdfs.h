@@ -1,0 +1,51 @@
+// BSDFs as materials.
+#pragma once
+#include <map>
+
+#include "host/formats/mitsuba/textures.h"
+#include "host/scene/material.h"
+
+namespace candela::mitsuba {
+
+struct Bsdf {
+  scene::Material material{};      ///< without emission
+  bool isInvisible = false;        ///< "null": light passes the surface as if it were not there
+  bool isTwoSided = false;         ///< both sides scatter light alike, as everywhere in Candela
+  bool usesVertexColours = false;  ///< the colours of a mesh, without which it is white, scale those of the material
+};
+
+/// Reads BSDFs, each once. Those that are not rendered are errors, or with `--lenient` replaced by others.
+class Bsdfs {
+ public:
+  Bsdfs(Textures& textures, bool isOld, Report& report) : textures_(textures), isOld_(isOld), report_(report) {}
+
+  /// `isOld`: the scene is one of Mitsuba 0.6, in which conductors are of copper by default. Throws PlacedError.
+  const Bsdf& read(const Object& bsdf);
+
+ private:
+  Bsdf make(const Object& bsdf, int depth);
+  Bsdf diffuse(const Object& bsdf);
+  Bsdf dielectric(const Object& bsdf);
+  Bsdf thinDielectric(const Object& bsdf);
+  Bsdf roughDielectric(const Object& bsdf);
+  Bsdf conductor(const Object& bsdf, bool isRough);
+  Bsdf plastic(const Object& bsdf, bool isRough);
+  Bsdf principled(const Object& bsdf);
+  Bsdf twoSided(const Object& bsdf, int depth);
+  Bsdf mask(const Object& bsdf, int depth);
+  Bsdf normalMap(const Object& bsdf, int depth);
+  Bsdf replaced(const Object& bsdf, const char* by, int depth);
+  Bsdf nested(const Object& bsdf, int depth);
+
+  void setRoughness(const Object& bsdf, scene::Material& material);
+  void requireGgx(const Object& bsdf);
+  glm::dvec3 constant(const Object& bsdf, const char* name, double absent, ColourUse use);
+  Texture baseColour(const Object& bsdf, const char* name, double absent, Bsdf& result);
+
+  Textures& textures_;
+  bool isOld_;
+  Report& report_;
+  std::map<const Object*, Bsdf> known_{};
+};
+
+}  // namespace candela::mitsuba

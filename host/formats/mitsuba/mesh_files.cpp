@@ -1,0 +1,105 @@
+// Calls the readers of OBJ and PLY.
+#include "host/formats/mitsuba/mesh_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "host/base/quote.h"
+#include "host/formats/loading/loader.h"
+#include "host/formats/loading/vertex_normals.h"
+#include "host/formats/obj/corner_table.h"
+#include "host/formats/obj/obj_parser.h"
+#include "host/formats/ply/ply_header.h"
+#include "host/formats/ply/ply_mesh.h"
+#include "host/image/colour_transfer.h"
+
+namespace candela::mitsuba {
+namespace {
+
+using scene::quote;
+
+/// Returns the normals of smooth points, from triangles over them: three indices into `points` each.
+std::vector<glm::vec3> smoothNormalsOf(std::span<const glm::vec3> points, std::span<const std::uint32_t> indices) {
+  obj::SmoothNormals normals;
+  std::vector<std::uint32_t> ofPoint(points.size());
+  for (std::uint32_t point = 0; point < ofPoint.size(); ++point) ofPoint[point] = normals.find(point, 0);
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    const std::uint32_t a = indices[i], b = indices[i + 1], c = indices[i + 2];
+    normals.add({ofPoint[a], ofPoint[b], ofPoint[c]}, {points[a], points[b], points[c]});
+  }
+  std::vector<glm::vec3> result;
+  for (const std::uint32_t normal : ofPoint) result.push_back(normals.at(normal));
+  return result;
+}
+
+void flipTexCoords(scene::Mesh& mesh) {
+  for (glm::vec2& uv : mesh.texCoords[0]) uv.y = 1 - uv.y;
+}
+
+}  // namespace
+
+scene::Mesh readObjMesh(const std::filesystem::path& path, std::string_view bytes, const MeshFileOptions& options,
+                        const Place& place, Report& report) {
+  scene::DiagnosticLog& log = report.addLog(path.string());
+  const scene::SceneFile file{bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
+  obj::ObjModel model = obj::parseObj(file, report.isLenient(), log);
+  if (log.errorCount() > 0) throw PlacedError{place, fmt::format("{} cannot be read", quote(path.filename().string()))};
+  if (model.corners.empty()) throw PlacedError{place, fmt::format("{} has no faces", quote(path.filename().string()))};
+  for (const auto& [keyword, what] : model.omissions) report.omit(fmt::format("{} of OBJ ({})", what, keyword));
+  const auto isStated = [&](const obj::Corner& corner) { return corner.normal < obj::ObjModel::kSmooth; };
+  const bool hasNormals = !options.hasFaceNormals && std::ranges::any_of(model.corners, isStated);
+  const bool isSmooth = !options.hasFaceNormals && !hasNormals;
+  const bool hasTexCoords = std::ranges::any_of(
+      model.corners, [](const obj::Corner& corner) { return corner.texCoord != obj::kNone; });
+  obj::CornerTable table(model.positions.size());
+  table.beginMesh();
+  scene::Mesh mesh;
+  for (obj::Corner corner : model.corners) {
+    if (!hasNormals || !isStated(corner)) corner.normal = obj::kNone;
+    mesh.indices.push_back(table.vertexOf(corner));
+  }
+  if (isSmooth) {
+    std::vector<std::uint32_t> indices;
+    for (const obj::Corner& corner : model.corners) indices.push_back(corner.position);
+    const std::vector<glm::vec3> normals = smoothNormalsOf(model.positions, indices);
+    for (const obj::Corner& vertex : table.vertices()) mesh.normals.push_back(normals[vertex.position]);
+  }
+  for (const obj::Corner& vertex : table.vertices()) {
+    mesh.positions.push_back(model.positions[vertex.position]);
+    if (hasTexCoords) {
+      mesh.texCoords[0].push_back(vertex.texCoord == obj::kNone ? glm::vec2(0) : model.texCoords[vertex.texCoord]);
+    }
+    if (hasNormals) {
+      mesh.normals.push_back(vertex.normal == obj::kNone
+                                 ? glm::vec3(0)
+                                 : scene::unitNormalOrZero(glm::dvec3(model.normals[vertex.normal])));
+    }
+  }
+  if (!mesh.normals.empty()) scene::replaceZeroNormals(mesh);
+  if (options.flipsTexCoords) flipTexCoords(mesh);
+  return mesh;
+}
+
+scene::Mesh readPlyMesh(const std::filesystem::path& path, std::string_view bytes, const MeshFileOptions& options,
+                        const Place& place, Report& report) {
+  scene::DiagnosticLog& log = report.addLog(path.string());
+  const scene::SceneFile file{bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
+  const ply::Header header = ply::readHeader(file);
+  scene::Mesh mesh = ply::readContents(file, header, report.isLenient(), log).mesh;
+  if (log.errorCount() > 0) throw PlacedError{place, fmt::format("{} cannot be read", quote(path.filename().string()))};
+  for (glm::vec4& colour : mesh.colours) {  // Mitsuba takes them as linear
+    for (int c = 0; c < 3; ++c) colour[c] = static_cast<float>(image::srgbEncode(double{colour[c]}));
+  }
+  if (options.hasFaceNormals) mesh.normals.clear();
+  if (mesh.normals.empty() && !options.hasFaceNormals) {
+    mesh.normals = smoothNormalsOf(mesh.positions, mesh.indices);
+    scene::replaceZeroNormals(mesh);
+  }
+  if (options.flipsTexCoords) flipTexCoords(mesh);
+  return mesh;
+}
+
+}  // namespace candela::mitsuba

@@ -1,0 +1,24 @@
+// Meshes of OBJ and PLY files, as Mitsuba reads them.
+#pragma once
+#include <filesystem>
+
+#include "host/formats/mitsuba/document.h"
+#include "host/scene/mesh.h"
+
+namespace candela::mitsuba {
+
+struct MeshFileOptions {
+  bool hasFaceNormals = false;  ///< normals are left out
+  bool flipsTexCoords = false;  ///< v becomes 1 - v
+};
+
+/// Reads the triangles of a file whose content is `bytes`: of an OBJ without its materials, groups and smoothing
+/// groups. The result is one mesh with indices. A file without normals gets those of its vertices, weighted by angles,
+/// unless MeshFileOptions::hasFaceNormals. Errors are added to the report; throws PlacedError after them, or for a file
+/// without faces, at `place`, SceneError, and OutOfMemoryError.
+scene::Mesh readObjMesh(const std::filesystem::path& path, std::string_view bytes, const MeshFileOptions& options,
+                        const Place& place, Report& report);
+scene::Mesh readPlyMesh(const std::filesystem::path& path, std::string_view bytes, const MeshFileOptions& options,
+                        const Place& place, Report& report);
+
+}  // namespace candela::mitsuba

@@ -1,0 +1,73 @@
+// Textures, and the images that they refer to.
+#pragma once
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/formats/loading/path_guard.h"
+#include "host/formats/mitsuba/description.h"
+#include "host/formats/mitsuba/spectrum.h"
+#include "host/scene/texture.h"
+
+namespace candela::mitsuba {
+
+/// A colour or a number that may vary over a surface: the product of all members.
+struct Texture {
+  glm::dvec3 factor{1};
+  std::optional<scene::TextureReference> reference{};  ///< its encoding is that of the slot for which it was made
+  bool usesVertexColours = false;
+};
+
+/// The encoding of the texels that a slot of a material reads.
+enum class Encoding {
+  srgb,       ///< colours, as of a base colour
+  linear,     ///< normal maps
+  alpha,      ///< the alpha channel of an opacity, from grey
+  roughness,  ///< the green channel, of which alpha of microfacets is the square; blue is 1
+};
+
+/// Reads textures of objects. Images are read once, and converted where a slot needs another encoding.
+class Textures {
+ public:
+  Textures(const scene::SceneFile& file, const Description& description, scene::PathGuard& guard, Report& report)
+      : file_(file), description_(description), guard_(guard), report_(report) {}
+
+  /// Returns the property `name` of an object: a number, a colour, a spectrum or a texture; `absent` without one. An
+  /// image that cannot be read, and a texture that is not rendered, is an error, or with `--lenient` left out. Throws
+  /// PlacedError, and OutOfMemoryError if the images exceed the memory budget.
+  Texture read(const Object& owner, std::string_view name, double absent, ColourUse use, Encoding encoding);
+
+  /// The images to which the references refer.
+  std::vector<scene::TextureImage> takeImages() { return std::move(images_); }
+  /// Continues `hash` over the bytes of all files that were read.
+  std::uint64_t hashFiles(std::uint64_t hash) const;
+
+ private:
+  /// A file as it was read: integers, or linear values.
+  struct Source {
+    scene::TextureImage image{};
+    std::vector<glm::vec3> values{};  ///< of files of floats
+    bool isFloat() const { return !values.empty(); }
+  };
+
+  Texture readObject(const Object& texture, ColourUse use, Encoding encoding);
+  Texture readBitmap(const Object& texture, Encoding encoding);
+  Texture readCheckerboard(const Object& texture, ColourUse use, Encoding encoding);
+  Texture readAttribute(const Object& texture, Encoding encoding);
+  const Source* load(const std::filesystem::path& path, const Object& texture);
+  std::uint32_t store(scene::TextureImage image);
+
+  const scene::SceneFile& file_;
+  const Description& description_;
+  scene::PathGuard& guard_;
+  Report& report_;
+  std::map<std::string, std::optional<Source>> sources_{};            ///< by path; empty: cannot be read
+  std::map<std::string, std::pair<std::uint32_t, double>> stored_{};  ///< index and factor, by what they are made of
+  std::vector<scene::TextureImage> images_{};
+  std::vector<std::uint64_t> hashes_{};
+  std::uint64_t byteCount_ = 0;
+};
+
+}  // namespace candela::mitsuba

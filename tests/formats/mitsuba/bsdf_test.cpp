@@ -1,0 +1,227 @@
+// BSDFs and textures of Mitsuba as materials.
+#include <cmath>
+#include <fstream>
+
+#include "host/image/codecs.h"
+#include "host/image/colour_transfer.h"
+#include "host/image/image.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/formats/mitsuba/mitsuba_file.h"
+
+namespace candela::mitsuba {
+namespace {
+
+using scene::TextureSlot;
+
+const scene::LoadOptions kLenient{.lenient = true};
+
+std::string bitmap(const std::string& name, const std::string& more = "") {
+  return "<texture type=\"bitmap\" name=\"" + name + "\"><string name=\"filename\" value=\"a.png\"/>" + more +
+         "</texture>";
+}
+
+/// A folder with an image of two texels: (0, 51, 102) at the left, and white.
+class Picture {
+ public:
+  Picture() {
+    image::Image image;
+    image.width = 2;
+    image.height = 1;
+    image.rgb = {glm::vec3(0), glm::vec3(1)};
+    image.rgb[0] = {0.0f, static_cast<float>(image::srgbDecode(0.2)), static_cast<float>(image::srgbDecode(0.4))};
+    image::writeImage(folder_.path("a.png"), image, {});
+  }
+  scene::Scene sceneOf(const std::string& content) const {
+    return loadXml(content, {}, "3.0.0", folder_.path("")).scene;
+  }
+  std::string path(const std::string& name) const { return folder_.path(name); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+scene::TextureReference referenceIn(const scene::Scene& scene, TextureSlot slot) {
+  const auto& reference = textureOf(scene.materials.at(0), slot);
+  REQUIRE(reference);
+  return *reference;
+}
+
+}  // namespace
+
+TEST_CASE("A diffuse BSDF is one-sided, and twosided makes it two-sided") {
+  const scene::Material one = materialOf(R"(<bsdf type="diffuse"/>)");
+  CHECK(one.diffuse == scene::DiffuseLobe{.colour = glm::vec3(0.5f)});
+  CHECK(one.opaque);
+  const scene::Material two = materialOf(R"(<bsdf type="twosided"><bsdf type="diffuse"/></bsdf>)");
+  CHECK(two.diffuse == one.diffuse);
+  CHECK_FALSE(two.opaque);
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="twosided"><bsdf type="diffuse"/><bsdf type="conductor"/></bsdf>)"))
+            .find("2:69: both sides of a surface have the same BSDF") != std::string::npos);
+}
+
+TEST_CASE("Dielectrics have the ratio of their indices of refraction") {
+  const scene::Material glass = materialOf(R"(<bsdf type="dielectric"/>)");
+  CHECK(glass.dielectric->ior == Approx(1.5046 / 1.000277));
+  CHECK_FALSE(glass.opaque);
+  const scene::Material bubble = materialOf(R"(<bsdf type="dielectric"><string name="int_ior" value="vacuum"/>
+<float name="ext_ior" value="2"/></bsdf>)");
+  CHECK(bubble.dielectric->ior == 0.5f);
+  const scene::Material rough = materialOf(R"(<bsdf type="roughdielectric"><string name="distribution" value="ggx"/>
+<float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/><float name="alpha" value="0.25"/></bsdf>)");
+  REQUIRE(rough.surface);
+  CHECK(rough.surface->roughness == 0.5f);
+  CHECK(rough.surface->ior == 1.5f);
+  CHECK(rough.surface->transmissionWeight == 1);
+  CHECK_FALSE(rough.surface->isThinWalled);
+  // A pane of n = 1.5 reflects F = 0.04 at each side, and 2 F / (1 + F) with all reflections in it.
+  const scene::Material pane = materialOf(R"(<bsdf type="thindielectric"><float name="int_ior" value="1.5"/>
+<float name="ext_ior" value="1"/></bsdf>)");
+  CHECK(pane.surface->specularColour.x * 0.04 == Approx(0.08 / 1.04));
+  CHECK(pane.surface->roughness == 0);
+  CHECK(pane.surface->isThinWalled);
+}
+
+TEST_CASE("Anisotropic conductors are rougher along u or v") {
+  const auto with = [](const char* u, const char* v) {
+    return *materialOf(std::string(R"(<bsdf type="roughconductor"><string name="distribution" value="ggx"/>)") +
+                       "<float name=\"alpha_u\" value=\"" + u + "\"/><float name=\"alpha_v\" value=\"" + v +
+                       "\"/></bsdf>")
+                .surface;
+  };
+  const scene::SurfaceParameters alongU = with("0.3", "0.1"), alongV = with("0.1", "0.3");
+  const auto alphas = [](const scene::SurfaceParameters& s) {
+    const double across = double{s.roughness} * s.roughness;
+    return std::pair(across + (1 - across) * double{s.anisotropy} * s.anisotropy, across);
+  };
+  CHECK(alphas(alongU).first == Approx(0.3));
+  CHECK(alphas(alongU).second == Approx(0.1));
+  CHECK(alongU.anisotropyRotation == 0);
+  CHECK(alongV.anisotropyRotation == Approx(std::acos(0.0)));
+  CHECK(alongV.anisotropy == alongU.anisotropy);
+}
+
+TEST_CASE("What Mitsuba's BSDFs have and Candela does not is an error, or a replacement with a warning") {
+  const auto check = [](const std::string& bsdf, const std::string& message) {
+    CAPTURE(bsdf);
+    CHECK(xmlErrorsOf(withBsdf(bsdf)).find(message) != std::string::npos);
+    const scene::LoadedScene loaded = loadXml(withBsdf(bsdf), kLenient);
+    CHECK(loaded.scene.primitives.size() == 2);
+    CHECK_FALSE(loaded.warnings.empty());
+  };
+  check(R"(<bsdf type="plastic"/>)", "2:25: bsdf \"plastic\" is not rendered yet; lenient renders a diffuse surface");
+  check(R"(<bsdf type="roughconductor"/>)",
+        "the distribution \"beckmann\" is not rendered yet; lenient renders \"ggx\"");
+  check(R"(<bsdf type="bumpmap"><bsdf type="diffuse"/></bsdf>)",
+        "\"bumpmap\" is not rendered; lenient renders its first nested BSDF");
+  check(R"(<bsdf type="hair"><float name="scale" value="3"/></bsdf>)",
+        "bsdf \"hair\" is not rendered; lenient renders grey instead");
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="difuse"/>)"), kLenient) ==
+        "test.xml:2:25: unknown BSDF \"difuse\"; did you mean \"diffuse\"?");
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="diffuse"><float name="reflectence" value="1"/></bsdf>)")) ==
+        "test.xml:2:46: bsdf \"diffuse\" has no property \"reflectence\"; did you mean \"reflectance\"?; lenient "
+        "leaves it out");
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="diffuse"><rgb name="reflectance" value="1 2 1"/></bsdf>)"))
+            .find("a reflectance is at most 1") != std::string::npos);
+}
+
+TEST_CASE("Masks are opacities, and null surfaces are left out") {
+  const scene::Material leaf = materialOf(R"(<bsdf type="mask"><float name="opacity" value="0.25"/>
+<bsdf type="diffuse"/></bsdf>)");
+  REQUIRE(leaf.opacity);
+  CHECK(leaf.opacity->factor == 0.25f);
+  CHECK(leaf.diffuse);
+  CHECK(xmlSceneOf(withBsdf(R"(<bsdf type="null"/>)") + "<shape type=\"sphere\"/>").primitives.size() == 1);
+}
+
+TEST_CASE("Images are stored as their file has them, or in the encoding of their slot") {
+  const Picture picture;
+  const scene::Scene plain = picture.sceneOf(withBsdf("<bsdf type=\"diffuse\">" + bitmap("reflectance") + "</bsdf>"));
+  REQUIRE(plain.images.size() == 1);
+  CHECK(plain.images[0].texels == std::vector<std::uint32_t>{0xff663300u, 0xffffffffu});
+  const scene::TextureReference reference = referenceIn(plain, TextureSlot::baseColour);
+  CHECK(reference.rowS == glm::vec3(1, 0, 0));
+  CHECK(reference.rowT == glm::vec3(0, 1, 0));
+  CHECK(plain.materials[0].diffuse->colour == glm::vec3(1));
+
+  const scene::Scene raw = picture.sceneOf(withBsdf(
+      "<bsdf type=\"diffuse\">" + bitmap("reflectance", "<boolean name=\"raw\" value=\"true\"/>") + "</bsdf>"));
+  REQUIRE(raw.images.at(0).isDeep());
+  const double green = static_cast<double>(raw.images[0].deepTexels[0] >> 16 & 65535) / 65535;
+  CHECK(image::srgbDecode(green) == Approx(0.2).epsilon(1e-4));
+
+  const scene::Scene alpha = picture.sceneOf(withBsdf("<bsdf type=\"mask\">" +
+                                                      bitmap("opacity", "<boolean name=\"raw\" value=\"true\"/>") +
+                                                      "<bsdf type=\"diffuse\"/></bsdf>"));
+  const double opacity = static_cast<double>(alpha.images.at(0).deepTexels[0] >> 48) / 65535;
+  CHECK(opacity == Approx(0.7152 * 0.2 + 0.0722 * 0.4).epsilon(1e-3));
+
+  const scene::Scene rough = picture.sceneOf(
+      withBsdf(R"(<bsdf type="roughconductor"><string name="distribution" value="ggx"/>)" +
+               bitmap("alpha", "<boolean name=\"raw\" value=\"true\"/>") + "</bsdf>"));
+  const double roughness = static_cast<double>(rough.images.at(0).deepTexels[0] >> 16 & 65535) / 65535;
+  CHECK(roughness * roughness == Approx(0.7152 * 0.2 + 0.0722 * 0.4).epsilon(1e-3));
+  CHECK(rough.materials[0].surface->roughness == 1);
+  CHECK((rough.images[0].deepTexels[0] >> 32 & 65535) == 65535);
+}
+
+TEST_CASE("Bitmaps have the filter, the wrap mode and the transform that the file states") {
+  const Picture picture;
+  const scene::Scene scene = picture.sceneOf(withBsdf("<bsdf type=\"diffuse\">" + bitmap("reflectance", R"(
+<string name="filter_type" value="nearest"/><string name="wrap_mode" value="mirror"/>
+<transform name="to_uv"><scale x="2" y="3"/><translate x="0.25" y="0.5"/></transform>)") +
+                                                      "</bsdf>"));
+  const scene::TextureReference reference = referenceIn(scene, TextureSlot::baseColour);
+  CHECK(reference.filter == scene::TextureFilter::nearest);
+  CHECK(reference.wrapS == scene::TextureWrap::mirroredRepeat);
+  CHECK(reference.wrapT == scene::TextureWrap::mirroredRepeat);
+  CHECK(reference.rowS == glm::vec3(2, 0, 0.25f));
+  CHECK(reference.rowT == glm::vec3(0, 3, 0.5f));
+  const std::string missing =
+      "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\"><string name=\"filename\" "
+      "value=\"b.png\"/></texture></bsdf>";
+  CHECK(xmlErrorsOf(withBsdf(missing), {}, "3.0.0", picture.path("")).find("2:46: image \"b.png\": ") !=
+        std::string::npos);
+  CHECK(loadXml(withBsdf(missing), kLenient, "3.0.0", picture.path("")).scene.images.empty());
+}
+
+TEST_CASE("A checkerboard is an image of two by two texels, whose colours numbers exchange") {
+  const std::string board =
+      R"(<texture type="checkerboard" name="NAME"><rgb name="color0" value="0.25"/><float name="color1" value="0.5"/></texture>)";
+  const auto named = [&](const std::string& name) {
+    std::string text = board;
+    return text.replace(text.find("NAME"), 4, name);
+  };
+  const scene::Scene scene = xmlSceneOf(withBsdf("<bsdf type=\"diffuse\">" + named("reflectance") + "</bsdf>"));
+  const scene::TextureImage& image = scene.images.at(0);
+  CHECK(image.width == 2);
+  REQUIRE(image.deepTexels.size() == 4);
+  const auto valueAt = [&](std::size_t i) {
+    return image::srgbDecode(static_cast<double>(image.deepTexels[i] & 65535) / 65535);
+  };
+  CHECK(valueAt(0) == Approx(0.25).epsilon(1e-4));
+  CHECK(valueAt(1) == Approx(0.5).epsilon(1e-4));
+  CHECK(valueAt(2) == valueAt(1));
+  CHECK(valueAt(3) == valueAt(0));
+  CHECK(referenceIn(scene, TextureSlot::baseColour).filter == scene::TextureFilter::nearest);
+  const scene::Scene mask = xmlSceneOf(
+      withBsdf("<bsdf type=\"mask\">" + named("opacity") + "<bsdf type=\"diffuse\"/></bsdf>"));
+  CHECK((mask.images.at(0).deepTexels[0] >> 48) == 32768);
+}
+
+TEST_CASE("Normal maps make surfaces with tangents, whose second one does not depend on the image") {
+  const Picture picture;
+  const scene::Scene scene = picture.sceneOf(withBsdf("<bsdf type=\"normalmap\">" +
+                                                      bitmap("normalmap", "<boolean name=\"raw\" value=\"true\"/>") +
+                                                      "<bsdf type=\"diffuse\"/></bsdf>"));
+  const scene::Material& material = scene.materials.at(0);
+  REQUIRE(material.surface);
+  CHECK(material.surface->specularWeight == 0);
+  CHECK(material.surface->baseColour == glm::vec3(0.5f));
+  CHECK(scene.images.at(0).texels[0] == 0xff663300u);
+  const std::vector<glm::vec4>& tangents = scene.meshes.at(0).tangents;
+  REQUIRE(tangents.size() == 6);
+  CHECK(near(glm::vec3(tangents[0]), {1, 0, 0}));
+  CHECK(tangents[0].w == 1);
+}
+
+}  // namespace candela::mitsuba

@@ -1,0 +1,200 @@
+// Shapes of Mitsuba as primitives.
+#include <cmath>
+#include <numbers>
+
+#include "tests/base/temporary_folder.h"
+#include "tests/formats/mitsuba/mitsuba_file.h"
+
+namespace candela::mitsuba {
+namespace {
+
+const std::string kEmitter = R"(<emitter type="area"><rgb name="radiance" value="3 2 1"/></emitter>)";
+const std::string kMasked = R"(<bsdf type="mask"><bsdf type="diffuse"/></bsdf>)";
+
+std::string shape(const std::string& type, const std::string& content = "") {
+  return "<shape type=\"" + type + "\">" + content + "</shape>";
+}
+std::string transform(const std::string& operations) {
+  return "<transform name=\"to_world\">" + operations + "</transform>";
+}
+
+/// The area of the triangles of a scene with a material, and their mean normal.
+std::pair<double, glm::dvec3> areaOf(const scene::Scene& scene, std::uint32_t material = 0) {
+  double area = 0;
+  glm::dvec3 normal(0);
+  for (const scene::Primitive& primitive : scene.primitives) {
+    if (primitive.material != material) continue;
+    const scene::Triangle t = triangleOf(scene, primitive);
+    const glm::dvec3 cross = glm::cross(glm::dvec3(t.p[1]) - glm::dvec3(t.p[0]),
+                                        glm::dvec3(t.p[2]) - glm::dvec3(t.p[0]));
+    area += glm::length(cross) / 2;
+    normal += cross / 2.0;
+  }
+  return {area, normal};
+}
+
+}  // namespace
+
+TEST_CASE("Spheres and cylinders of Mitsuba are exact where their transform permits it") {
+  const scene::Scene scene = xmlSceneOf(
+      shape("sphere", R"(<point name="center" value="1 0 0"/><float name="radius" value="0.5"/>)" +
+                          transform("<scale value=\"2\"/><translate z=\"1\"/>")) +
+      shape("sphere", R"(<boolean name="flip_normals" value="true"/>)") +
+      shape(
+          "cylinder",
+          R"(<point name="p0" x="0" y="0" z="1"/><point name="p1" x="0" y="3" z="1"/><float name="radius" value="0.25"/>)" +
+              transform("<scale value=\"2\"/>")));
+  REQUIRE(scene.spheres.size() == 2);
+  CHECK(scene.spheres[0] == scene::Sphere{{2, 0, 1}, 1});
+  CHECK(scene.spheres[1] == scene::Sphere{{0, 0, 0}, -1});
+  REQUIRE(scene.cones.size() == 1);
+  CHECK(scene.cones[0] == scene::Cone{{0, 0, 2}, 0.5f, {0, 6, 2}, 0.5f});
+  CHECK(scene.meshes.empty());
+}
+
+TEST_CASE("Other spheres and cylinders are meshes on the exact surface, with its normals and coordinates") {
+  for (const std::string& content : {transform("<scale x=\"2\"/>"), kMasked}) {
+    const scene::Scene scene = xmlSceneOf(shape("sphere", content));
+    CHECK(scene.spheres.empty());
+    CHECK(scene.primitives.size() == 2 * 256 * 128);
+    const double stretch = content == kMasked ? 1 : 2;
+    const scene::Mesh& mesh = scene.meshes.at(0);
+    for (std::size_t i = 0; i < mesh.positions.size(); i += 997) {
+      const glm::dvec3 p = glm::dvec3(mesh.positions[i]) / glm::dvec3(stretch, 1, 1);
+      CHECK(glm::length(p) == Approx(1).epsilon(1e-6));
+      CHECK(near(mesh.normals[i], glm::normalize(p / glm::dvec3(stretch, 1, 1)), 1e-5));
+      const glm::dvec2 uv(mesh.texCoords[0][i]);
+      CHECK(std::cos(uv.y * std::numbers::pi) == Approx(p.z).margin(1e-5));
+      if (std::abs(p.z) < 0.99) {
+        CHECK(near(glm::vec3(glm::normalize(glm::dvec3(p.x, p.y, 0))),
+                   {std::cos(2 * std::numbers::pi * uv.x), std::sin(2 * std::numbers::pi * uv.x), 0}, 1e-5));
+      }
+    }
+    for (const scene::Primitive& primitive : scene.primitives) {
+      const scene::Triangle t = triangleOf(scene, primitive);
+      const glm::dvec3 normal = glm::cross(glm::dvec3(t.p[1]) - glm::dvec3(t.p[0]),
+                                           glm::dvec3(t.p[2]) - glm::dvec3(t.p[0]));
+      if (glm::dot(normal, glm::dvec3(t.p[0])) < 0) FAIL("a triangle of the sphere has its front inside");
+    }
+  }
+  const scene::Scene tube = xmlSceneOf(shape("cylinder", kMasked));
+  CHECK(tube.cones.empty());
+  CHECK(areaOf(tube).first == Approx(2 * std::numbers::pi).epsilon(1e-4));
+}
+
+TEST_CASE("Rectangles, cubes and disks of Mitsuba have the area and the fronts of the exact shapes") {
+  const auto [square, up] = areaOf(xmlSceneOf(shape("rectangle")));
+  CHECK(square == 4);
+  CHECK(up == glm::dvec3(0, 0, 4));
+  CHECK(areaOf(xmlSceneOf(shape("rectangle", R"(<boolean name="flip_normals" value="true"/>)"))).second ==
+        glm::dvec3(0, 0, -4));
+  CHECK(areaOf(xmlSceneOf(shape("rectangle", transform("<scale x=\"-1\" y=\"2\"/>")))).second == glm::dvec3(0, 0, 8));
+  const auto [disk, diskUp] = areaOf(xmlSceneOf(shape("disk")));
+  CHECK(disk == Approx(std::numbers::pi).epsilon(1e-6));
+  CHECK(diskUp.z == Approx(std::numbers::pi).epsilon(1e-6));
+  const scene::Scene cube = xmlSceneOf(shape("cube"));
+  CHECK(areaOf(cube).first == 24);
+  for (const scene::Primitive& primitive : cube.primitives) {
+    const scene::Triangle t = triangleOf(cube, primitive);
+    CHECK(glm::dot(glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]), t.p[0]) == 4);
+  }
+  const scene::Mesh& mesh = cube.meshes.at(0);
+  REQUIRE(mesh.texCoords[0].size() == 24);
+  CHECK(mesh.positions[0] == glm::vec3(1, -1, -1));
+  CHECK(mesh.texCoords[0][0] == glm::vec2(0, 1));
+}
+
+TEST_CASE("Meshes of files have the normals and coordinates that Mitsuba gives them") {
+  const TemporaryFolder folder;
+  folder.write(
+      "roof.obj",
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 1\nvt 0 .25\nvt 1 0\nvt 0 1\nusemtl x\nf 1/1 2/2 3/3\nf 2/2 1/1 4/3\n");
+  folder.write(
+      "leaf.ply",
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+      "u\nproperty float v\nproperty float r\nproperty float g\nproperty float b\nelement face 1\nproperty list uchar "
+      "int vertex_indices\nend_header\n0 0 0 0 .25 .5 1 0\n1 0 0 1 0 0 0 0\n0 1 0 0 1 0 0 0\n3 0 1 2\n");
+  const auto meshOf = [&](const std::string& type, const std::string& file, const std::string& content = "") {
+    return loadXml(shape(type, "<string name=\"filename\" value=\"" + file + "\"/>" + content), {}, "3.0.0",
+                   folder.path(""))
+        .scene.meshes.at(0);
+  };
+  const scene::Mesh smooth = meshOf("obj", "roof.obj");
+  REQUIRE(smooth.normals.size() == 4);
+  CHECK(smooth.normals[2] == glm::vec3(0, 0, 1));
+  CHECK(near(smooth.normals[0], glm::normalize(glm::dvec3(0, 1, 2)), 1e-6));  // angles of 45 and 90 degrees
+  CHECK(smooth.texCoords[0][0] == glm::vec2(0, 0.75f));
+  const scene::Mesh flat = meshOf(
+      "obj", "roof.obj",
+      R"(<boolean name="face_normals" value="true"/><boolean name="flip_tex_coords" value="false"/>)");
+  CHECK(flat.normals.empty());
+  CHECK(flat.texCoords[0][0] == glm::vec2(0, 0.25f));
+  const scene::Mesh flipped = meshOf("obj", "roof.obj", R"(<boolean name="flip_normals" value="true"/>)");
+  CHECK(flipped.normals[2] == glm::vec3(0, 0, -1));
+  CHECK(flipped.indices == std::vector<std::uint32_t>{0, 2, 1, 1, 3, 0});
+  const scene::Mesh leaf = meshOf(
+      "ply", "leaf.ply",
+      R"(<bsdf type="diffuse"><texture type="mesh_attribute" name="reflectance"><string name="name" value="vertex_color"/></texture></bsdf>)");
+  CHECK(leaf.texCoords[0][0] == glm::vec2(0, 0.25f));
+  REQUIRE(leaf.colours.size() == 3);
+  CHECK(near(glm::vec3(leaf.colours[0]), {0.5, 1, 0}));  // linear, unlike those of a PLY that is rendered alone
+  CHECK(meshOf("ply", "leaf.ply").colours.empty());
+  folder.write("broken.obj", "v 0 0 0\nf 1 2 3\n");
+  const std::string errors = xmlErrorsOf(shape("obj", R"(<string name="filename" value="broken.obj"/>)"), {}, "3.0.0",
+                                         folder.path(""));
+  CHECK(errors.find("broken.obj:2:") != std::string::npos);
+  CHECK(xmlErrorsOf(shape("ply", R"(<string name="filename" value="no.ply"/>)"), {}, "3.0.0", folder.path(""))
+            .find("test.xml:2:1: ") != std::string::npos);
+}
+
+TEST_CASE("Instances show the shapes of a group at their placements") {
+  const TemporaryFolder folder;
+  const std::string group = "<shape type=\"shapegroup\" id=\"g\">" +
+                            shape("cube", "<bsdf type=\"conductor\"/>" + transform("<translate x=\"2\"/>")) +
+                            shape("sphere") + "</shape>";
+  const auto instance = [](const std::string& operations) {
+    return shape("instance", "<ref id=\"g\"/>" + transform(operations));
+  };
+  const scene::Scene scene = xmlSceneOf(group + instance("<scale value=\"2\"/>") + instance("<scale x=\"-1\"/>"));
+  CHECK(scene.meshes.size() == 2);  // one for the placement that mirrors
+  CHECK(scene.placements.size() == 2);
+  CHECK(scene.primitives.size() == 2 * 12 + 2);
+  CHECK(scene.spheres.at(0) == scene::Sphere{{0, 0, 0}, 2});
+  for (const scene::Primitive& primitive : scene.primitives) {
+    if (primitive.kind != scene::PrimitiveKind::triangle) continue;
+    const scene::Triangle t = triangleOf(scene, primitive);
+    const glm::vec3 centre = primitive.placement == 0 ? glm::vec3(4, 0, 0) : glm::vec3(-2, 0, 0);
+    CHECK(glm::dot(glm::cross(t.p[1] - t.p[0], t.p[2] - t.p[0]), t.p[0] - centre) > 0);
+  }
+  CHECK(xmlSceneOf(group).primitives.empty());
+  CHECK(xmlErrorsOf("<shape type=\"shapegroup\" id=\"g\">" + shape("cube", kEmitter) + "</shape>" + instance(""))
+            .find("an instance does not emit light") != std::string::npos);
+}
+
+// A black surface behind an emitter hides its back, which does not shine in Mitsuba.
+TEST_CASE("Emitters that are not closed have a black back") {
+  const scene::Scene scene = xmlSceneOf(shape("rectangle", kEmitter + transform("<scale value=\"4\"/>")));
+  REQUIRE(scene.materials.size() == 2);
+  CHECK(scene.materials[0].emission == glm::vec3(3, 2, 1));
+  CHECK(kindOf(scene.materials[0]) == scene::MaterialKind::black);
+  CHECK_FALSE(isEmissive(scene.materials[1]));
+  CHECK(kindOf(scene.materials[1]) == scene::MaterialKind::black);
+  REQUIRE(scene.primitives.size() == 4);
+  const double distance = 4 * std::ldexp(1.0, -16);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    CHECK(scene.primitives[i].material == 1);
+    for (const glm::vec3& corner : triangleOf(scene, scene.primitives[i]).p) {
+      CHECK(corner.z == static_cast<float>(-distance));
+      CHECK(std::max(std::abs(corner.x), std::abs(corner.y)) > 4);
+      CHECK(std::max(std::abs(corner.x), std::abs(corner.y)) <= 4 + 20 * distance);
+    }
+  }
+  CHECK(xmlSceneOf(shape("cube", kEmitter)).primitives.size() == 12);
+  CHECK(xmlSceneOf(shape("sphere", kEmitter)).primitives.size() == 1);
+  const scene::Scene tube = xmlSceneOf(shape("cylinder", kEmitter));
+  REQUIRE(tube.cones.size() == 2);
+  CHECK(tube.cones[1].baseRadius < 1);
+  CHECK(tube.cones[1].baseRadius > 0.9999f);
+}
+
+}  // namespace candela::mitsuba
