@@ -135,6 +135,13 @@ def bombs():
     yield "face.obj", b"v 0 0 0\n" + b"f" + b" 1" * 400000 + b"\n", check
     yield "corners.obj", b"v 0 0 0\n" + b"vt 0 0\n" * 60000 + b"".join(b"f 1/%d 1/%d 1/%d\n" % (i, i + 1, i + 2) for i in range(1, 59999)) + b"f 1\n", check
     yield "groups.obj", b"v 0 0 0\n" + b"".join(b"s %d\nf 1 1 1\n" % i for i in range(1, 60000)) + b"f 1\n", check
+    scene = b'<scene version="3.0.0">%s</scene>'
+    yield "nesting.xml", scene % (b'<bsdf type="mask">' * 10**5), check
+    yield "tags.xml", scene % (b"<a/>" * 3 * 10**6), check
+    yield "attributes.xml", scene % (b"<a" + b' b=""' * 10**5 + b"/>"), check
+    yield "doubling.xml", scene % (b'<default name="a0" value="0123456789"/>' + b"".join(b'<default name="a%d" value="$a%d $a%d"/>' % (i, i - 1, i - 1) for i in range(1, 60))), check
+    yield "entities.xml", b'<!DOCTYPE scene [<!ENTITY a "0">' + b"".join(b'<!ENTITY a%d "&a%d;&a%d;">' % (i + 1, i, i) for i in range(60)) + b"]>" + scene % b"&a60;", check
+    yield "wrong.xml", scene % (b"<wrong/>\n" * 10**5), check
     yield "polygon.nff", (SCENE + "p 4000000000\n0 0 0\n1 0 0\n0 1 0\n").encode(), check
     yield "image.p3f", SCENE.replace("8 6", "65535 65535").encode(), ["render", "--device", "cpu", "--stats"]
     yield "memory.p3f", SCENE.replace("8 6", "16384 16384").encode(), ["render", "--device", "cpu", "--stats", "--memory", "200MiB"]
