@@ -35,11 +35,15 @@ std::vector<glm::vec3> smoothNormalsOf(std::span<const glm::vec3> points, std::s
   return result;
 }
 
-void flipTexCoords(scene::Mesh& mesh) {
+}  // namespace
+
+void complete(scene::Mesh& mesh, const MeshFileOptions& options) {
+  if (options.hasFaceNormals) mesh.normals.clear();
+  if (mesh.normals.empty() && !options.hasFaceNormals) mesh.normals = smoothNormalsOf(mesh.positions, mesh.indices);
+  if (!mesh.normals.empty()) scene::replaceZeroNormals(mesh);
+  if (!options.flipsTexCoords) return;
   for (glm::vec2& uv : mesh.texCoords[0]) uv.y = 1 - uv.y;
 }
-
-}  // namespace
 
 scene::Mesh readObjMesh(const std::filesystem::path& path, std::string_view bytes, const MeshFileOptions& options,
                         const Place& place, Report& report) {
@@ -78,8 +82,7 @@ scene::Mesh readObjMesh(const std::filesystem::path& path, std::string_view byte
                                  : scene::unitNormalOrZero(glm::dvec3(model.normals[vertex.normal])));
     }
   }
-  if (!mesh.normals.empty()) scene::replaceZeroNormals(mesh);
-  if (options.flipsTexCoords) flipTexCoords(mesh);
+  complete(mesh, options);
   return mesh;
 }
 
@@ -93,12 +96,7 @@ scene::Mesh readPlyMesh(const std::filesystem::path& path, std::string_view byte
   for (glm::vec4& colour : mesh.colours) {  // Mitsuba takes them as linear
     for (int c = 0; c < 3; ++c) colour[c] = static_cast<float>(image::srgbEncode(double{colour[c]}));
   }
-  if (options.hasFaceNormals) mesh.normals.clear();
-  if (mesh.normals.empty() && !options.hasFaceNormals) {
-    mesh.normals = smoothNormalsOf(mesh.positions, mesh.indices);
-    scene::replaceZeroNormals(mesh);
-  }
-  if (options.flipsTexCoords) flipTexCoords(mesh);
+  complete(mesh, options);
   return mesh;
 }
 

@@ -12,6 +12,9 @@ struct MeshFileOptions {
   bool flipsTexCoords = false;  ///< v becomes 1 - v
 };
 
+/// Gives a mesh with indices what the options state: normals of smooth vertices if it has none, weighted by angles.
+void complete(scene::Mesh& mesh, const MeshFileOptions& options);
+
 /// Reads the triangles of a file whose content is `bytes`: of an OBJ without its materials, groups and smoothing
 /// groups. The result is one mesh with indices. A file without normals gets those of its vertices, weighted by angles,
 /// unless MeshFileOptions::hasFaceNormals. Errors are added to the report; throws PlacedError after them, or for a file

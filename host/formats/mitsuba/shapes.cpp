@@ -20,6 +20,7 @@
 #include "host/formats/mitsuba/mesh_files.h"
 #include "host/formats/mitsuba/names.h"
 #include "host/formats/mitsuba/place_mesh.h"
+#include "host/formats/mitsuba/serialized_mesh.h"
 #include "host/formats/mitsuba/transform.h"
 #include "host/scene/placement.h"
 
@@ -31,11 +32,10 @@ using scene::quote;
 constexpr std::uint64_t kMaxShapes = 16'000'000;  // that are shown, instances counted one by one
 constexpr std::size_t kMaxIdLength = 1024;
 
-constexpr std::array<std::string_view, 9> kOtherShapes{"serialized", "bsplinecurve", "linearcurve",
-                                                       "sdfgrid",    "ellipsoids",   "ellipsoidsmesh",
-                                                       "hair",       "heightfield",  "deformable"};
-constexpr std::array<std::string_view, 10> kRenderedShapes{"obj",      "ply",  "sphere",     "rectangle", "cube",
-                                                           "cylinder", "disk", "shapegroup", "instance",  "merge"};
+constexpr std::array<std::string_view, 8> kOtherShapes{"bsplinecurve",   "linearcurve", "sdfgrid",     "ellipsoids",
+                                                       "ellipsoidsmesh", "hair",        "heightfield", "deformable"};
+constexpr std::array<std::string_view, 11> kRenderedShapes{
+    "obj", "serialized", "ply", "sphere", "rectangle", "cube", "cylinder", "disk", "shapegroup", "instance", "merge"};
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   return sizeof(scene::Mesh) + (mesh.positions.size() + mesh.normals.size()) * sizeof(glm::vec3) +
@@ -237,7 +237,7 @@ std::uint32_t Shapes::blackMaterial() {
 /// Returns the mesh of a shape with the attributes that its material needs; null if its file cannot be read.
 Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look, std::string& key) {
   const bool hasFaceNormals = shape.flag("face_normals", false);
-  const bool isFile = shape.type == "obj" || shape.type == "ply";
+  const bool isFile = shape.type == "obj" || shape.type == "ply" || shape.type == "serialized";
   const bool flipsTexCoords = isFile && shape.flag("flip_tex_coords", shape.type == "obj");
   const bool isFlipped = shape.flag("flip_normals", false);
   std::filesystem::path path;
@@ -255,6 +255,7 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look, std::s
     const auto& [s, t] = std::pair(tangentTexture->rowS, tangentTexture->rowT);
     key += fmt::format("{} {} {} {} {} {} ", s.x, s.y, s.z, t.x, t.y, t.z);
   }
+  if (shape.type == "serialized") key += fmt::format("{} ", shape.integer("shape_index", 0));
   key += path.string();
   const auto known = meshes_.find(key);
   if (known != meshes_.end()) return known->second ? &*known->second : nullptr;
@@ -297,6 +298,7 @@ scene::Mesh Shapes::readFile(const Object& shape, const std::filesystem::path& p
   const std::string bytes = scene::readFile(path);
   hashes_.push_back(fnv1aOfText(bytes));
   const MeshFileOptions options{hasFaceNormals, flips};
+  if (shape.type == "serialized") return readSerializedMesh(path, bytes, shape.integer("shape_index", 0), options);
   return shape.type == "obj" ? readObjMesh(path, bytes, options, shape.place, report_)
                              : readPlyMesh(path, bytes, options, shape.place, report_);
 }

@@ -1,4 +1,6 @@
 // Shapes of Mitsuba as primitives.
+#include <zlib.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -31,6 +33,44 @@ std::pair<double, glm::dvec3> areaOf(const scene::Scene& scene, std::uint32_t ma
     normal += cross / 2.0;
   }
   return {area, normal};
+}
+
+template <class Number>
+void append(std::string& bytes, const Number& number) {
+  bytes.append(reinterpret_cast<const char*>(&number), sizeof(number));
+}
+
+/// The stream of a serialized mesh. `flags`: 2 for texture coordinates. `surplus` vertices are stated and not there.
+template <class Real>
+std::string serialized(int version, std::uint32_t flags, const std::vector<Real>& positions,
+                       const std::vector<Real>& uv, const std::vector<std::uint32_t>& indices,
+                       std::uint64_t surplus = 0) {
+  std::string data;
+  append(data, flags | (sizeof(Real) == 8 ? 0x2000u : 0x1000u));
+  if (version == 4) data += std::string("name") + '\0';
+  append(data, std::uint64_t{positions.size() / 3 + surplus});
+  append(data, std::uint64_t{indices.size() / 3});
+  for (const Real x : positions) append(data, x);
+  for (const Real x : uv) append(data, x);
+  for (const std::uint32_t index : indices) append(data, index);
+  uLongf size = compressBound(data.size());
+  std::string deflated(size, '\0');
+  compress(reinterpret_cast<Bytef*>(deflated.data()), &size, reinterpret_cast<const Bytef*>(data.data()), data.size());
+  return deflated.substr(0, size);
+}
+
+/// A file of serialized meshes, with the table at its end.
+std::string fileOf(std::uint16_t version, const std::vector<std::string>& meshes) {
+  std::string bytes, table;
+  for (const std::string& mesh : meshes) {
+    if (version >= 4) append(table, std::uint64_t{bytes.size()});
+    if (version == 3) append(table, static_cast<std::uint32_t>(bytes.size()));
+    append(bytes, std::uint16_t{0x041c});
+    append(bytes, version);
+    bytes += mesh;
+  }
+  append(table, static_cast<std::uint32_t>(meshes.size()));
+  return bytes + table;
 }
 
 }  // namespace
@@ -145,6 +185,47 @@ TEST_CASE("Meshes of files have the normals and coordinates that Mitsuba gives t
   CHECK(errors.find("broken.obj:2:") != std::string::npos);
   CHECK(xmlErrorsOf(shape("ply", R"(<string name="filename" value="no.ply"/>)"), {}, "3.0.0", folder.path(""))
             .find("test.xml:2:1: ") != std::string::npos);
+}
+
+TEST_CASE("Meshes of Mitsuba's binary format are read in both versions and precisions") {
+  const TemporaryFolder folder;
+  const std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, uv{0, .25f, 1, 0, 0, 1, 1, 1};
+  const std::vector<std::uint32_t> indices{0, 1, 2, 1, 3, 2};
+  const std::string flat = serialized(4, 0, positions, {}, indices);
+  const std::string full = serialized(4, 2, std::vector<double>(positions.begin(), positions.end()),
+                                      std::vector<double>(uv.begin(), uv.end()), indices);
+  folder.write("two.serialized", fileOf(4, {flat, full}));
+  folder.write("old.serialized", fileOf(3, {serialized(3, 2, positions, uv, indices)}));
+  const auto meshOf = [&](const std::string& file, const std::string& content) {
+    return loadXml(shape("serialized", "<string name=\"filename\" value=\"" + file + "\"/>" + content), {}, "3.0.0",
+                   folder.path(""))
+        .scene.meshes.at(0);
+  };
+  const scene::Mesh first = meshOf("two.serialized", "");
+  CHECK(first.positions == std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}});
+  CHECK(first.indices == indices);
+  CHECK(first.normals == std::vector<glm::vec3>(4, glm::vec3(0, 0, 1)));
+  CHECK(first.texCoords[0].empty());
+  const scene::Mesh second = meshOf("two.serialized", "<integer name=\"shape_index\" value=\"1\"/>");
+  CHECK(second.positions == first.positions);
+  CHECK(second.texCoords[0][0] == glm::vec2(0, 0.25f));
+  CHECK(meshOf("old.serialized", "").texCoords[0] == second.texCoords[0]);
+  const auto errorOf = [&](const std::string& bytes, const std::string& content = "") {
+    folder.write("bad.serialized", bytes);
+    return xmlErrorsOf(shape("serialized", "<string name=\"filename\" value=\"bad.serialized\"/>" + content), {},
+                       "3.0.0", folder.path(""));
+  };
+  CHECK_THAT(errorOf("ply"), Catch::Contains("test.xml:2:1: \"bad.serialized\" is not a serialized mesh"));
+  CHECK_THAT(errorOf(fileOf(5, {flat})), Catch::Contains("serialized meshes of version 5 are not read"));
+  CHECK_THAT(errorOf(fileOf(4, {flat}), "<integer name=\"shape_index\" value=\"1\"/>"),
+             Catch::Contains("there is no mesh 1: the file has 1, counted from 0"));
+  CHECK_THAT(errorOf(fileOf(4, {serialized(4, 0, positions, {}, {0, 1, 4})})), Catch::Contains("there is no vertex 4"));
+  CHECK_THAT(errorOf(fileOf(4, {serialized(4, 0, positions, {}, {})})), Catch::Contains("has no triangles"));
+  CHECK_THAT(errorOf(fileOf(4, {serialized(4, 0, positions, {}, indices, 1u << 30)})),
+             Catch::Contains("are more than the file can contain"));
+  CHECK_THAT(errorOf(fileOf(4, {flat.substr(0, 20)})), Catch::Contains("end too early, or are damaged"));
+  CHECK_THAT(errorOf(fileOf(4, {serialized(4, 0, std::vector<double>(12, 1e300), {}, indices)})),
+             Catch::Contains("not finite in single precision"));
 }
 
 TEST_CASE("Instances show the shapes of a group at their placements") {
