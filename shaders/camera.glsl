@@ -17,6 +17,8 @@ vec2 sampleLens(vec2 u) {
 vec2 sampleFilter(vec2 u) {
   if (kFilter == kFilterNone) return vec2(0.0);
   if (kFilter == kFilterTent) return vec2(sampleTent(u.x), sampleTent(u.y));
+  if (kFilter == kFilterGaussian)
+    return uintBitsToFloat(kFilterDeviation) * vec2(sampleGaussian(u.x), sampleGaussian(u.y));
   return u - 0.5;
 }
 

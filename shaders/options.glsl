@@ -22,6 +22,7 @@ layout(constant_id = kSpecTextureSlots) const uint kTextureSlots = 0xffffffffu;
 layout(constant_id = kSpecBackdrop) const uint kBackdrop = kBackdropEnvironment;
 layout(constant_id = kSpecLens) const uint kLens = kLensDisc;
 layout(constant_id = kSpecFilter) const uint kFilter = kFilterBox;
+layout(constant_id = kSpecFilterDeviation) const uint kFilterDeviation = 0x3f000000u;
 layout(constant_id = kSpecSampler) const uint kSampler = kSamplerSobol;
 layout(constant_id = kSpecStructure) const uint kStructure = kStructureBvh;
 layout(constant_id = kSpecTexels) const bool kTexelLoads = false;

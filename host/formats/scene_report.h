@@ -46,7 +46,7 @@ struct SceneReport {
   std::optional<RequestedAccel> requestedAccel;
   std::optional<std::uint32_t> requestedSamples;
   std::optional<std::uint32_t> requestedMaxDepth;
-  std::optional<RequestedFilter> requestedFilter;
+  std::optional<PixelFilter> requestedFilter;
   std::uint64_t hash = 0;
   SceneMemory memory;
   std::vector<std::string> warnings;

@@ -34,7 +34,10 @@ json orNull(const std::optional<Value>& value, Convert convert) {
 
 std::string toText(RequestedAccel accel) { return kRequestedAccelNames[static_cast<std::size_t>(accel)]; }
 
-std::string toText(RequestedFilter filter) { return filter == RequestedFilter::box ? "box" : "tent"; }
+std::string toText(const PixelFilter& filter) {
+  if (filter.kind == FilterKind::gaussian) return fmt::format("gaussian:{}", filter.deviation);
+  return filter.kind == FilterKind::box ? "box" : "tent";
+}
 
 std::string toText(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.x, v.y, v.z); }
 
@@ -168,7 +171,7 @@ json toJson(const SceneReport& r) {
       {"requestedAccel", orNull(r.requestedAccel, [](RequestedAccel accel) { return json(toText(accel)); })},
       {"requestedSamplesPerPixel", orNull(r.requestedSamples, same)},
       {"requestedMaxDepth", orNull(r.requestedMaxDepth, same)},
-      {"requestedFilter", orNull(r.requestedFilter, [](RequestedFilter filter) { return json(toText(filter)); })},
+      {"requestedFilter", orNull(r.requestedFilter, [](const PixelFilter& filter) { return json(toText(filter)); })},
       {"memory", toJson(r.memory)},
       {"warnings", r.warnings},
   };

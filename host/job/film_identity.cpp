@@ -63,7 +63,7 @@ std::span<const FilmSetting> filmSettings() {
       FilmSetting{"nee", [](const Job& job) { return onOff(imageOf(job).nextEventEstimation); }},
       FilmSetting{"lights", [](const Job& job) -> std::string { return nameOf(imageOf(job).lights); }, "power"},
       FilmSetting{"sampler", [](const Job& job) -> std::string { return nameOf(imageOf(job).sampler); }},
-      FilmSetting{"filter", [](const Job& job) -> std::string { return nameOf(imageOf(job).filter); }},
+      FilmSetting{"filter", [](const Job& job) { return render::filterText(imageOf(job).filter); }},
       FilmSetting{"lens", [](const Job& job) -> std::string { return nameOf(imageOf(job).lens); }},
       FilmSetting{"pixel-origin", [](const Job& job) -> std::string { return nameOf(imageOf(job).pixelOrigin); }},
       FilmSetting{"light-size", [](const Job& job) { return fmt::to_string(imageOf(job).lightSize); }},

@@ -11,6 +11,7 @@
 #include "host/scene/environment.h"
 #include "host/scene/material.h"
 #include "host/scene/mesh.h"
+#include "host/scene/pixel_filter.h"
 #include "host/scene/placement.h"
 #include "host/scene/primitive_list.h"
 
@@ -19,9 +20,6 @@ namespace candela::scene {
 /// The acceleration structure that a file requests, in the order of its numbers in the statement `accel`.
 enum class RequestedAccel : std::uint8_t { none, grid, bvh };
 inline constexpr std::array<const char*, 3> kRequestedAccelNames{"none", "grid", "bvh"};
-
-/// The pixel filter that a file requests.
-enum class RequestedFilter : std::uint8_t { box, tent };
 
 /// The view, as in NFF. The view plane passes through `at`.
 struct Camera {
@@ -156,7 +154,7 @@ struct Scene {
   std::optional<RequestedAccel> requestedAccel;    ///< `accel`
   std::optional<std::uint32_t> requestedSamples;   ///< `spp`, samples per pixel in total; 0: no antialiasing
   std::optional<std::uint32_t> requestedMaxDepth;  ///< maximum number of rays in a path, counting the camera ray, >= 1
-  std::optional<RequestedFilter> requestedFilter;
+  std::optional<PixelFilter> requestedFilter;
   std::optional<ExactMean> exactMean;  ///< for paths of any length, with and without next-event estimation
   std::uint64_t hash = 0;              ///< of everything that was read, sky images included
 };

@@ -36,6 +36,7 @@ using render::FilterKind;
 using render::Integrator;
 using render::KernelKind;
 using render::LensKind;
+using render::PixelFilter;
 using render::PixelOrigin;
 using render::SamplerKind;
 using render::SceneLoads;

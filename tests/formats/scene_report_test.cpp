@@ -110,7 +110,7 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(json["requestedFilter"].is_null());
   LoadedScene requesting = load(kScene);
   requesting.scene.requestedMaxDepth = 7;
-  requesting.scene.requestedFilter = RequestedFilter::tent;
+  requesting.scene.requestedFilter = PixelFilter{FilterKind::tent};
   const SceneReport requests = makeReport(requesting);
   CHECK(toJson(requests)["requestedMaxDepth"] == 7);
   CHECK(toJson(requests)["requestedFilter"] == "tent");

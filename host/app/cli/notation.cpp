@@ -142,6 +142,22 @@ Notation<render::Window> window(std::uint32_t highest) {
           render::windowText};
 }
 
+Notation<render::PixelFilter> pixelFilter(float lowest, float highest) {
+  const Notation<render::FilterKind> kind = named<render::FilterKind>();
+  const Notation<float> deviation = realNumber<float>("S", lowest, highest);
+  const std::string prefix = fmt::format("{}:", render::nameOf(render::FilterKind::gaussian));
+  const auto parse = [=](const std::string& word) -> std::optional<render::PixelFilter> {
+    if (const auto plain = kind.parse(word)) return render::PixelFilter{.kind = *plain};
+    if (!word.starts_with(prefix)) return std::nullopt;
+    const auto number = deviation.parse(word.substr(prefix.size()));
+    if (!number) return std::nullopt;
+    return render::PixelFilter{render::FilterKind::gaussian, *number};
+  };
+  return {fmt::format("{}|{}{}", kind.metavar, prefix, deviation.metavar),
+          fmt::format("{}, or {}{} with S {}", kind.expected, prefix, deviation.metavar, deviation.expected), parse,
+          render::filterText};
+}
+
 Notation<image::LayerSet> layerList() {
   std::vector<std::string> words{image::layerNames().begin(), image::layerNames().end()};
   for (const auto& [alias, layer] : kLayerAliases) words.emplace_back(alias);

@@ -65,6 +65,9 @@ Notation<T> choice(std::vector<std::pair<std::string, T>> names);
 /// One of the values of an enumeration of settings: see render::kNamesOf.
 template <class T>
 Notation<T> named();
+/// The name of a filter, for a Gaussian also with its standard deviation in pixels from `lowest` to `highest`:
+/// "gaussian:0.7".
+Notation<render::PixelFilter> pixelFilter(float lowest, float highest);
 /// Reads and prints like `inner`, and `absent` for no value. A word that `inner` accepts as well is a value.
 template <class T>
 Notation<std::optional<T>> orAbsent(Notation<T> inner, std::string absent);

@@ -93,11 +93,18 @@ void setFilter(const Object& film, Report& report, scene::Scene& scene) {
   constexpr std::array<std::string_view, 6> kFilters{"box", "tent", "gaussian", "mitchell", "catmullrom", "lanczos"};
   if (filter && std::ranges::count(kFilters, type) == 0)
     throw PlacedError{filter->place, fmt::format("unknown filter {}", quote(type))};
-  const double radius = filter ? filter->number("radius", type == "box" ? 0.5 : 1) : 0;
+  const double radius = filter && type != "gaussian" ? filter->number("radius", type == "box" ? 0.5 : 1) : 0;
   const bool isBox = type == "box" && radius == 0.5, isTent = type == "tent" && radius == 1;
-  if (isBox) scene.requestedFilter = scene::RequestedFilter::box;
-  if (isTent) scene.requestedFilter = scene::RequestedFilter::tent;
-  if (!isBox && !isTent) {
+  if (isBox) scene.requestedFilter = scene::PixelFilter{scene::FilterKind::box};
+  if (isTent) scene.requestedFilter = scene::PixelFilter{scene::FilterKind::tent};
+  if (type == "gaussian") {
+    const double deviation = filter ? filter->number("stddev", 0.5) : 0.5;
+    if (!(deviation >= scene::kMinDeviation && deviation <= scene::kMaxDeviation)) {
+      throw PlacedError{filter->place, fmt::format("the stddev of a gaussian filter is from {} to {}",
+                                                   scene::kMinDeviation, scene::kMaxDeviation)};
+    }
+    scene.requestedFilter = scene::PixelFilter{scene::FilterKind::gaussian, static_cast<float>(deviation)};
+  } else if (!isBox && !isTent) {
     report.omit(fmt::format("the filter {}{}, instead of which the picture has that of --filter", quote(type),
                             type == "box" || type == "tent" ? " of this radius" : ""));
   }

@@ -16,7 +16,15 @@ std::uint32_t lensOf(const flatten::SceneShape& shape, const render::RenderSetti
 
 std::uint32_t filterOf(const render::RenderSettings& settings) {
   if (!settings.image.jittersPixels()) return gpu::kFilterNone;
-  return settings.image.filter == render::FilterKind::tent ? gpu::kFilterTent : gpu::kFilterBox;
+  switch (settings.image.filter.kind) {
+    case render::FilterKind::box:
+      break;
+    case render::FilterKind::tent:
+      return gpu::kFilterTent;
+    case render::FilterKind::gaussian:
+      return gpu::kFilterGaussian;
+  }
+  return gpu::kFilterBox;
 }
 
 std::uint32_t samplerOf(render::SamplerKind kind) {
@@ -68,32 +76,34 @@ std::uint32_t viewOf(render::Integrator integrator) {
 
 std::vector<vulkan::Specialisation> specialise(const CodeForm& form, const flatten::SceneShape& shape,
                                                const render::RenderSettings& settings, bool texels) {
-  std::vector<vulkan::Specialisation> constants{{gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
-                                                {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
-                                                {gpu::kSpecOneSided, settings.image.oneSided},
-                                                {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
-                                                {gpu::kSpecLayerSums, image::layerSumsOf(settings.image.layers)},
-                                                {gpu::kSpecFilmScale, settings.image.filmScale},
-                                                {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
-                                                {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
-                                                {gpu::kSpecTextureSlots, shape.textureSlots},
-                                                {gpu::kSpecCoincident, shape.coincident},
-                                                {gpu::kSpecOrderReach, std::bit_cast<std::uint32_t>(shape.orderReach)},
-                                                {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
-                                                {gpu::kSpecLens, lensOf(shape, settings)},
-                                                {gpu::kSpecFilter, filterOf(settings)},
-                                                {gpu::kSpecSampler, samplerOf(settings.image.sampler)},
-                                                {gpu::kSpecStructure, shape.structure},
-                                                {gpu::kSpecTexels, texels},
-                                                {gpu::kSpecRecord, settings.execution.recordPaths},
-                                                {gpu::kSpecStackSize, shape.stackSize},
-                                                {gpu::kSpecUniformSlots, shape.uniformSlots},
-                                                {gpu::kSpecFirstMarkedSlot, shape.firstMarkedSlot},
-                                                {gpu::kSpecRowsAhead, shape.rowsAhead},
-                                                {gpu::kSpecAreaLights, settings.image.lightSize > 0},
-                                                {gpu::kSpecView, viewOf(settings.image.integrator)},
-                                                {gpu::kSpecMasksLanes, form.masksLanes},
-                                                {gpu::kSpecLimitsLoops, form.limitsLoops}};
+  std::vector<vulkan::Specialisation> constants{
+      {gpu::kSpecWorkgroupX, settings.execution.workgroupInUse().width},
+      {gpu::kSpecWorkgroupY, settings.execution.workgroupInUse().height},
+      {gpu::kSpecOneSided, settings.image.oneSided},
+      {gpu::kSpecLimitsIndirect, settings.image.indirectLimit.has_value()},
+      {gpu::kSpecLayerSums, image::layerSumsOf(settings.image.layers)},
+      {gpu::kSpecFilmScale, settings.image.filmScale},
+      {gpu::kSpecListsHits, hasMattes(settings.image.layers)},
+      {gpu::kSpecThroughSpecular, settings.image.layersThroughSpecular},
+      {gpu::kSpecTextureSlots, shape.textureSlots},
+      {gpu::kSpecCoincident, shape.coincident},
+      {gpu::kSpecOrderReach, std::bit_cast<std::uint32_t>(shape.orderReach)},
+      {gpu::kSpecBackdrop, backdropOf(settings.image.backdrop)},
+      {gpu::kSpecLens, lensOf(shape, settings)},
+      {gpu::kSpecFilter, filterOf(settings)},
+      {gpu::kSpecFilterDeviation, std::bit_cast<std::uint32_t>(settings.image.filter.deviation)},
+      {gpu::kSpecSampler, samplerOf(settings.image.sampler)},
+      {gpu::kSpecStructure, shape.structure},
+      {gpu::kSpecTexels, texels},
+      {gpu::kSpecRecord, settings.execution.recordPaths},
+      {gpu::kSpecStackSize, shape.stackSize},
+      {gpu::kSpecUniformSlots, shape.uniformSlots},
+      {gpu::kSpecFirstMarkedSlot, shape.firstMarkedSlot},
+      {gpu::kSpecRowsAhead, shape.rowsAhead},
+      {gpu::kSpecAreaLights, settings.image.lightSize > 0},
+      {gpu::kSpecView, viewOf(settings.image.integrator)},
+      {gpu::kSpecMasksLanes, form.masksLanes},
+      {gpu::kSpecLimitsLoops, form.limitsLoops}};
   const flatten::SceneFeatures& has = shape.features;
 #define CANDELA_SPECIALISE(member, name, id) constants.push_back({id, has.member});
   CANDELA_FEATURES(CANDELA_SPECIALISE)

@@ -35,7 +35,15 @@ CameraRays::CameraRays(const scene::Camera& camera, const render::ImageSettings&
 double CameraRays::filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const {
   if (!jitters_) return 0;
   const double u = numbers.unit(dimension);
-  return filter_ == render::FilterKind::box ? u - 0.5 : sampleTent(u);
+  switch (filter_.kind) {
+    case render::FilterKind::box:
+      break;
+    case render::FilterKind::tent:
+      return sampleTent(u);
+    case render::FilterKind::gaussian:
+      return filter_.deviation * sampleGaussian(u);
+  }
+  return u - 0.5;
 }
 
 Ray CameraRays::generate(std::uint32_t x, std::uint32_t y, SampleNumbers& numbers) const {

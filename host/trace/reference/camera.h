@@ -19,7 +19,7 @@ class CameraRays {
   double filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const;
 
   bool jitters_;
-  render::FilterKind filter_;
+  render::PixelFilter filter_;
   render::LensKind lens_;
   dvec3 eye_;
   dvec3 right_;             ///< unit, u of the specification

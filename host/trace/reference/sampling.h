@@ -25,6 +25,10 @@ dvec2 sampleTriangle(const dvec2& u);
 /// Density 1 - |x| on [-1, 1].
 double sampleTent(double u);
 
+/// Density proportional to exp(-x^2 / 2) - exp(-8) on [-4, 4], by the inverse of the distribution function; `u` is in
+/// [0, 1].
+double sampleGaussian(double u);
+
 /// Orthonormal, right-handed, `normal` is local z (Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017,
 /// switching at z = -0.62).
 struct Frame {

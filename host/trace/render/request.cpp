@@ -20,10 +20,6 @@ AccelKind accelOf(const scene::Scene& scene) {
   return AccelKind::bvh;
 }
 
-FilterKind filterOf(const scene::Scene& scene) {
-  return scene.requestedFilter == scene::RequestedFilter::tent ? FilterKind::tent : FilterKind::box;
-}
-
 std::uint32_t maxDepthOf(const scene::Scene& scene, Integrator integrator) {
   const std::uint32_t absent = defaultMaxDepth(integrator);
   return integrator == Integrator::path ? scene.requestedMaxDepth.value_or(absent) : absent;
@@ -42,7 +38,7 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   settings.image.sampleCount = samples > 0 ? samples : 1;
   settings.image.size = request.size.value_or(Extent{scene.camera->width, scene.camera->height});
   settings.image.maxDepth = request.maxDepth.value_or(maxDepthOf(scene, settings.image.integrator));
-  settings.image.filter = request.filter.value_or(filterOf(scene));
+  settings.image.filter = request.filter.value_or(scene.requestedFilter.value_or(PixelFilter()));
   const bool isView = render::isView(settings.image.integrator);
   settings.image.filmScale = request.filmScale ? *request.filmScale : isView ? 0 : filmScaleOf(scene);
   const bool hasLights = settings.image.integrator == Integrator::path;

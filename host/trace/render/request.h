@@ -16,7 +16,7 @@ struct RenderRequest {
   std::optional<AccelKind> accel;  ///< default: BVH
   /// Default: that of the scene for the path tracer, else defaultMaxDepth().
   std::optional<std::uint32_t> maxDepth;
-  std::optional<FilterKind> filter;        ///< default: box
+  std::optional<PixelFilter> filter;       ///< default: box
   std::optional<std::uint32_t> filmScale;  ///< default: scene::filmScaleOf(), and 0 for views
   std::optional<LightSelection> lights;    ///< default: selectionFor(), and power for other integrators than path
   ImageChoices image;

@@ -1,6 +1,9 @@
 // The names of the values of settings, as options, films and reports write them.
 #pragma once
+#include <fmt/format.h>
+
 #include <array>
+#include <string>
 
 #include "host/trace/render/settings.h"
 
@@ -39,7 +42,8 @@ inline constexpr std::array kNamesOf<SamplerKind>{NamedValue{"independent", Samp
                                                   NamedValue{"sobol", SamplerKind::sobol}};
 template <>
 inline constexpr std::array kNamesOf<FilterKind>{NamedValue{"box", FilterKind::box},
-                                                 NamedValue{"tent", FilterKind::tent}};
+                                                 NamedValue{"tent", FilterKind::tent},
+                                                 NamedValue{"gaussian", FilterKind::gaussian}};
 template <>
 inline constexpr std::array kNamesOf<LightSelection>{NamedValue{"power", LightSelection::power},
                                                      NamedValue{"tree", LightSelection::tree}};
@@ -75,5 +79,11 @@ template <>
 inline constexpr std::array kNamesOf<KernelKind>{NamedValue{"auto", KernelKind::automatic},
                                                  NamedValue{"megakernel", KernelKind::megakernel},
                                                  NamedValue{"wavefront", KernelKind::wavefront}};
+
+/// Returns the name of a filter, for a Gaussian with its standard deviation: "gaussian:0.5".
+inline std::string filterText(const PixelFilter& filter) {
+  const char* name = nameOf(filter.kind);
+  return filter.kind == FilterKind::gaussian ? fmt::format("{}:{}", name, filter.deviation) : name;
+}
 
 }  // namespace candela::render

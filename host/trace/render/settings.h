@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/image/layers.h"
+#include "host/scene/pixel_filter.h"
 #include "host/trace/render/extent.h"
 
 namespace candela::scene {
@@ -21,7 +22,8 @@ enum class Integrator { path, whitted, ao, normal, albedo, depth, id, cost };
 constexpr bool isView(Integrator integrator) { return integrator >= Integrator::ao; }
 
 enum class SamplerKind { independent, stratified, sobol };
-enum class FilterKind { box, tent };
+using scene::FilterKind;
+using scene::PixelFilter;
 /// How lights are chosen: by their power, or by a tree, depending on the point: docs/light-transport.md section 6.
 enum class LightSelection { power, tree };
 enum class LensKind { disc, square };
@@ -101,7 +103,7 @@ struct ImageChoices {
 struct ImageSettings : ImageChoices {
   Extent size{};                   ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
-  FilterKind filter = FilterKind::box;
+  PixelFilter filter;
   bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin
   /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
   std::uint32_t maxDepth = 64;

@@ -25,6 +25,7 @@ TEST_CASE("a film of every integrator and sampler can be divided") {
                                              {"--integrator", "cost"},
                                              {"--sampler", "stratified"},
                                              {"--sampler", "independent", "--filter", "tent"},
+                                             {"--filter", "gaussian:0.7"},
                                              {"--spp", "16", "--nee", "off"}}) {
     const TemporaryFolder folder;
     INFO(options[0] << " " << options[1]);

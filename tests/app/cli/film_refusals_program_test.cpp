@@ -46,6 +46,7 @@ TEST_CASE("a film of another scene, option or window is not resumed, and the fir
                  Contains("in this render: a file of the scene, its environment, its camera or the time of its "
                           "animation differs; --"));
   CHECK_THAT(refusal(scene, {"--seed", "1"}), Contains("--seed is 0 in the film and 1 in this render"));
+  CHECK_THAT(refusal(scene, {"--filter", "gaussian"}), Contains("--filter is box in the film and gaussian:0.5 in"));
   CHECK_THAT(refusal(scene, {"--max-depth", "3"}), Contains("--max-depth is 64 in the film and 3"));
   CHECK_THAT(refusal(scene, {"--seed", "1", "--one-sided", "--time", "3"}),
              Contains("; use --seed 0, and leave out --one-sided and --time; --resume-anyway resumes nevertheless"));

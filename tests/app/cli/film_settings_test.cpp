@@ -63,6 +63,8 @@ TEST_CASE("each setting of films has the name, the default and the values of an 
                          {"--camera", "left"},
                          {"--time", "0.25"},
                          {"--animation", "walk"}}));
+  checkSettings(jobWith({{"--filter", "gaussian"}}));
+  checkSettings(jobWith({{"--filter", "gaussian:0.35"}}));
   checkSettings(jobWith({{"--integrator", "whitted"}, {"--sampler", "stratified"}, {"--background", "env"}}));
 }
 

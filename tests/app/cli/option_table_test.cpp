@@ -33,7 +33,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--nee", "on|off", "on"},
       {"--lights", "power|tree", "auto"},
       {"--sampler", "independent|stratified|sobol", "sobol"},
-      {"--filter", "box|tent", "the scene's, else box"},
+      {"--filter", "box|tent|gaussian|gaussian:S", "the scene's, else box"},
       {"--lens", "disc|square", "disc"},
       {"--pixel-origin", "centre|corner", "centre"},
       {"--light-size", "S", "0"},

@@ -23,7 +23,7 @@ TEST_CASE("an option prints the value that it was given") {
       {"--ao-distance", {"0.25", "1e-30", "auto"}},
       {"--nee", {"off", "on"}},
       {"--sampler", {"independent", "stratified", "sobol"}},
-      {"--filter", {"tent", "box"}},
+      {"--filter", {"tent", "gaussian:0.7", "gaussian:0.5", "gaussian:100", "box"}},
       {"--lens", {"square", "disc"}},
       {"--accel", {"none", "grid", "bvh"}},
       {"--bvh-split", {"midpoint", "sah"}},
@@ -76,6 +76,12 @@ TEST_CASE("mattes have short names, and all layers have one") {
   CHECK_FALSE(find("--aov").apply(arguments, "all,ids"));
 }
 
+TEST_CASE("a Gaussian filter has a standard deviation of half a pixel unless another one is stated") {
+  Arguments arguments = RenderArguments();
+  REQUIRE(find("--filter").apply(arguments, "gaussian"));
+  CHECK(find("--filter").show(arguments).back() == "gaussian:0.5");
+}
+
 TEST_CASE("the curve pbr-neutral has a second name") {
   Arguments arguments = RenderArguments();
   REQUIRE(find("--tonemap").apply(arguments, "neutral"));
@@ -93,6 +99,9 @@ TEST_CASE("a value out of range or of another kind is refused") {
       {"--ao-distance", {"0", "-1", "nan", "inf", "1e31"}},
       {"--nee", {"yes", ""}},
       {"--sampler", {"Sobol", "sob"}},
+      {"--filter",
+       {"", "Gaussian", "gaussian:", "gaussian:0", "gaussian:-1", "gaussian:101", "gaussian:nan", "gaussian:1,2",
+        "tent:1"}},
       {"--kernel", {"Wavefront", "mega"}},
       {"--workgroup", {"0x8", "1025x1"}},
       {"--accel", {"kd", "octree", ""}},

@@ -191,15 +191,18 @@ TEST_CASE("Film, sampler and integrator request the filter, the samples and the 
   CHECK(
       xmlErrorsOf(R"(<integrator type="depth"/>)").find("integrator \"depth\" is not rendered; lenient traces paths") !=
       std::string::npos);
+  using scene::FilterKind, scene::PixelFilter;
   const auto filterOf = [](const std::string& filter) {
     return xmlSceneOf(
         "<sensor type=\"perspective\"><film type=\"hdrfilm\">" + filter +
         "</film><sampler type=\"multijitter\"><integer name=\"sample_count\" value=\"9\"/></sampler></sensor>");
   };
-  CHECK(filterOf("<rfilter type=\"box\"/>").requestedFilter == scene::RequestedFilter::box);
-  CHECK(filterOf("<rfilter type=\"tent\"/>").requestedFilter == scene::RequestedFilter::tent);
-  CHECK_FALSE(filterOf("<rfilter type=\"gaussian\"/>").requestedFilter);
-  CHECK_FALSE(filterOf("").requestedFilter);
+  CHECK(filterOf("<rfilter type=\"box\"/>").requestedFilter == PixelFilter{FilterKind::box});
+  CHECK(filterOf("<rfilter type=\"tent\"/>").requestedFilter == PixelFilter{FilterKind::tent});
+  CHECK(filterOf("<rfilter type=\"gaussian\"/>").requestedFilter == PixelFilter{FilterKind::gaussian, 0.5f});
+  CHECK(filterOf("<rfilter type=\"gaussian\"><float name=\"stddev\" value=\"0.7\"/></rfilter>").requestedFilter ==
+        PixelFilter{FilterKind::gaussian, 0.7f});
+  CHECK(filterOf("").requestedFilter == PixelFilter{FilterKind::gaussian, 0.5f});
   CHECK(filterOf("").requestedSamples == 9u);
   CHECK(filterOf("").camera->width == 768);
 }

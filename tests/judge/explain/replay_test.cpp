@@ -64,7 +64,7 @@ TEST_CASE("the samples that are replayed add up to the rendered film, bit for bi
   SECTION("strata, whose numbers depend on how many samples there are; a lens and a tent") {
     render::RenderSettings settings = device::squareSettings(6, 4);
     settings.image.sampler = render::SamplerKind::stratified;
-    settings.image.filter = render::FilterKind::tent;
+    settings.image.filter.kind = render::FilterKind::tent;
     settings.image.rouletteStart = 1;
     onBoth(device::loadTestScene("depth_of_field.p3f"), settings);
   }

@@ -26,7 +26,11 @@ std::vector<glm::vec4> randomInputs(std::size_t count) {
   std::vector<glm::vec4> inputs;
   for (std::size_t i = 0; i < count; ++i) {
     const float height = i % 2 == 0 ? 2 * uniform() + 1e-7f : 1e-6f * uniform() + 1e-9f;
-    inputs.push_back({uniform(), uniform(), uniform(), height});
+    // Some numbers are near the ends of their range.
+    const float first = i % 32 == 0   ? static_cast<float>(i) * 0x1p-24f
+                        : i % 32 == 1 ? 1 - static_cast<float>(i) * 0x1p-24f
+                                      : uniform();
+    inputs.push_back({first, uniform(), uniform(), height});
   }
   return inputs;
 }
@@ -73,6 +77,7 @@ TEST_CASE("warps and elementary functions are accurate to a few units in the las
     REQUIRE(isNear(direction, glm::vec3(rows[4 * i + 1]), 4e-7));
     // For a narrow cap, the distance from its axis is compared.
     REQUIRE(std::hypot(rows[4 * i + 1].x - direction.x, rows[4 * i + 1].y - direction.y) <= 1e-6 * std::sqrt(u.w));
+    REQUIRE(rows[4 * i + 2].w == Approx(reference::sampleGaussian(u.x)).margin(1.5e-6));
     REQUIRE(rows[4 * i + 2].x == Approx(std::log1p(-u.x)).epsilon(1e-6));
     REQUIRE(rows[4 * i + 2].y == Approx(std::expm1(-50 * u.y)).epsilon(4e-6));
   }

@@ -1,6 +1,6 @@
 // Warps and elementary functions, for comparison with the reference's and with the C library's.
-// Input: (u, v, w, cap height). Output, four rows: disc and triangle; cap and tent; log(1 - u), exp(-50 v) - 1, and the
-// length error of a frame; the frame's image of the cap direction.
+// Input: (u, v, w, cap height). Output, four rows: disc and triangle; cap and tent; log(1 - u), exp(-50 v) - 1, height of a
+// cosine-weighted direction, and Gaussian; a frame's image of the cap direction.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "sampling.glsl"
@@ -18,6 +18,6 @@ void main() {
   vec3 direction = sampleCap(u.xy, u.w);
   outputs[4u * i] = vec4(sampleDisc(u.xy).xy, sampleTriangle(u.xy));
   outputs[4u * i + 1u] = vec4(direction, sampleTent(u.x));
-  outputs[4u * i + 2u] = vec4(logOneMinus(u.x), expMinusOne(-50.0 * u.y), sampleCosineHemisphere(u.xy).z, 0.0);
+  outputs[4u * i + 2u] = vec4(logOneMinus(u.x), expMinusOne(-50.0 * u.y), sampleCosineHemisphere(u.xy).z, sampleGaussian(u.x));
   outputs[4u * i + 3u] = vec4(frameAround(unit(normal)) * direction, 0.0);
 }

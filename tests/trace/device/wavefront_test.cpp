@@ -71,7 +71,7 @@ TEST_CASE(
   render::RenderSettings settings = wavefrontSettings();
   settings.image.nextEventEstimation = false;
   settings.image.oneSided = true;
-  settings.image.filter = render::FilterKind::tent;
+  settings.image.filter.kind = render::FilterKind::tent;
   settings.image.sampler = render::SamplerKind::stratified;
   settings.image.sampleCount = 4;
   settings.image.rouletteStart = 1;

@@ -98,7 +98,7 @@ TEST_CASE("images of several samples, jittered around pixel corners, agree with 
   settings.execution.recordPaths = false;
   settings.image.sampleCount = 4;
   settings.image.lightSize = 1;
-  settings.image.filter = render::FilterKind::tent;
+  settings.image.filter.kind = render::FilterKind::tent;
   settings.image.pixelOrigin = render::PixelOrigin::corner;
   const render::RenderResult device = renderOnDevice(scene, settings);
   const render::RenderResult reference = renderOnReference(scene, settings);

@@ -1,6 +1,7 @@
 // Images of a point and of an edge: a lens' circle of confusion, and pixel filters.
 #include <catch2/catch.hpp>
 
+#include "host/trace/render/setting_names.h"
 #include "tests/trace/proof/leaves.h"
 #include "tests/trace/reference/scene_builder.h"
 
@@ -63,6 +64,13 @@ Moments momentsOf(const image::Film& film) {
 
 // Distribution functions of the filters, `x` in pixels from the centre.
 double boxBelow(double x) { return std::clamp(x + 0.5, 0.0, 1.0); }
+double gaussianBelow(double x) {  // of standard deviation 1
+  const double inside = std::clamp(x, -4.0, 4.0);
+  const auto integral = [](double y) {
+    return std::sqrt(std::numbers::pi / 2) * std::erf(y / std::sqrt(2.0)) - y * std::exp(-8.0);
+  };
+  return 0.5 + integral(inside) / (2 * integral(4));
+}
 double tentBelow(double x) {
   const double inside = std::clamp(x, -1.0, 1.0);
   return inside < 0 ? (1 + inside) * (1 + inside) / 2 : 1 - (1 - inside) * (1 - inside) / 2;
@@ -116,15 +124,20 @@ TEST_CASE("the image of an edge is the pixel filter's distribution function, hor
   };
   addRectangle(b, onPlane({-8, edge.y}), onPlane({edge.x, -8}), 1);
 
-  for (const render::FilterKind filter : {render::FilterKind::box, render::FilterKind::tent}) {
+  const auto below = [](const render::PixelFilter& filter, double x) {
+    if (filter.kind == render::FilterKind::gaussian) return gaussianBelow(x / filter.deviation);
+    return filter.kind == render::FilterKind::box ? boxBelow(x) : tentBelow(x);
+  };
+  using enum render::FilterKind;
+  for (const render::PixelFilter& filter : {render::PixelFilter{box}, {tent}, {gaussian}, {gaussian, 0.7f}}) {
     render::RenderSettings settings = directView(kSide, 4096);
     settings.image.filter = filter;
     const image::Film film = renderScene(b.scene, settings).film;
-    const auto below = filter == render::FilterKind::box ? boxBelow : tentBelow;
     for (std::uint32_t y = 0; y < kSide; ++y) {
       for (std::uint32_t x = 0; x < kSide; ++x) {
-        CAPTURE(filter == render::FilterKind::tent, x, y);
-        CHECK(film.mean(x, y).x == Approx(below(edge.x - x - 0.5) * below(edge.y - y - 0.5)).margin(3e-3));
+        CAPTURE(render::filterText(filter), x, y);
+        const double expected = below(filter, edge.x - x - 0.5) * below(filter, edge.y - y - 0.5);
+        CHECK(film.mean(x, y).x == Approx(expected).margin(3e-3));
       }
     }
   }

@@ -36,6 +36,7 @@ WarpValues warps(std::span<const vec3> numbers, float capHeight) {
     values.cap.emplace_back(vec3(rows[3 * i + 1]));
     values.tent.push_back(rows[3 * i + 1].w);
     values.cosineHemisphere.emplace_back(vec3(rows[3 * i + 2]));
+    values.gaussian.push_back(rows[3 * i + 2].w);
   }
   return values;
 }

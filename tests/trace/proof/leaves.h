@@ -20,13 +20,14 @@ extern const double kRounding;
 /// Renders on this side; a device must not have truncated a loop.
 render::RenderResult renderScene(const scene::Scene& scene, const render::RenderSettings& settings);
 
-/// Applies the warps of docs/light-transport.md section 2 to pairs of numbers (the tent: to the first).
+/// Applies the warps of docs/light-transport.md section 2 to pairs of numbers (tent and Gaussian: to the first).
 struct WarpValues {
   std::vector<dvec2> disc;
   std::vector<dvec2> triangle;  ///< weights of the second and the third corner
   std::vector<dvec3> cap;
   std::vector<dvec3> cosineHemisphere;
   std::vector<double> tent;
+  std::vector<double> gaussian;
 };
 WarpValues warps(std::span<const glm::vec3> numbers, float capHeight);
 

@@ -31,6 +31,7 @@ WarpValues warps(std::span<const glm::vec3> numbers, float capHeight) {
     values.cap.push_back(reference::sampleCap(u, capHeight));
     values.cosineHemisphere.push_back(reference::sampleCosineHemisphere(u));
     values.tent.push_back(reference::sampleTent(u.x));
+    values.gaussian.push_back(reference::sampleGaussian(u.x));
   }
   return values;
 }

@@ -1,5 +1,5 @@
 // The warps under proof. Input: (u, v, ., cap height). Output, three rows: disc and triangle; cap and tent; cosine
-// hemisphere.
+// hemisphere and Gaussian.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "sampling.glsl"
@@ -15,5 +15,5 @@ void main() {
   vec4 u = inputs[i];
   outputs[3u * i] = vec4(sampleDisc(u.xy).xy, sampleTriangle(u.xy));
   outputs[3u * i + 1u] = vec4(sampleCap(u.xy, u.w), sampleTent(u.x));
-  outputs[3u * i + 2u] = vec4(sampleCosineHemisphere(u.xy), 0.0);
+  outputs[3u * i + 2u] = vec4(sampleCosineHemisphere(u.xy), sampleGaussian(u.x));
 }

@@ -25,6 +25,12 @@ void checkUniform(const std::vector<Value>& values, const Unwarp& unwarp) {
 // By its distribution function, 1 - (1 - x)^2 / 2 above 0.
 double unwarpTent(double x) { return x < 0 ? (1 + x) * (1 + x) / 2 : 1 - (1 - x) * (1 - x) / 2; }
 
+// The integral of exp(-x^2 / 2) - exp(-8) from 0.
+double gaussianIntegral(double x) {
+  return std::sqrt(std::numbers::pi / 2) * std::erf(x / std::sqrt(2.0)) - x * std::exp(-8.0);
+}
+double unwarpGaussian(double x) { return 0.5 + gaussianIntegral(x) / (2 * gaussianIntegral(4)); }
+
 // With s = b1 + b2, s^2 and b2 / s are independent and uniform.
 dvec2 unwarpTriangle(const dvec2& b) {
   const double s = b.x + b.y;
@@ -42,6 +48,29 @@ TEST_CASE("the warps to disc, cosine hemisphere, triangle and tent have their de
   Cells heights(kWarpSide * kWarpSide, 1);
   for (const double x : values.tent) heights.add({unwarpTent(x), 0});
   checkCounts(heights.counts(), uniformCounts(kWarpSide * kWarpSide, 1, kWarpSamples));
+}
+
+TEST_CASE("the warp to a Gaussian that ends at 4 has its density and its moments") {
+  const WarpValues values = warps(randomNumbers(kWarpSamples, 103), 1);
+  Cells heights(kWarpSide * kWarpSide, 1);
+  double mean = 0, meanSquare = 0, farthest = 0;
+  for (const double x : values.gaussian) {
+    heights.add({unwarpGaussian(x), 0});
+    mean += x / kWarpSamples;
+    meanSquare += x * x / kWarpSamples;
+    farthest = std::max(farthest, std::abs(x));
+  }
+  checkCounts(heights.counts(), uniformCounts(kWarpSide * kWarpSide, 1, kWarpSamples));
+  // The integrals of x^2 exp(-x^2 / 2) and of x^2 exp(-8) from 0 to 4, by parts.
+  const double edge = std::exp(-8.0);
+  const double square = gaussianIntegral(4) - 64.0 / 3 * edge;
+  const double variance = square / gaussianIntegral(4);
+  CHECK(variance == Approx(0.994283).epsilon(1e-5));
+  const double error = 1 / std::sqrt(double{kWarpSamples});
+  CHECK(mean == Approx(0).margin(4 * error));
+  CHECK(meanSquare == Approx(variance).margin(4 * std::sqrt(2.0) * error));
+  CHECK(farthest <= 4);
+  CHECK(farthest > 3.9);
 }
 
 TEST_CASE("the warps to caps from a thousandth of the hemisphere to the whole sphere give uniform unit vectors") {

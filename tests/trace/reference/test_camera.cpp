@@ -47,7 +47,7 @@ TEST_CASE("the rays of a pixel cross the view plane within the pixel, and row 0 
 
 TEST_CASE("the tent filter reaches one pixel to every side of the pixel's centre") {
   render::RenderSettings settings = test::settingsOf(80, 40, 1);
-  settings.image.filter = render::FilterKind::tent;
+  settings.image.filter.kind = render::FilterKind::tent;
   double least = 9, most = -9;
   for (std::uint32_t sample = 0; sample < 2000; ++sample) {
     const double x = crossing(generate(lookingAtOrigin(), settings, 40, 20, sample), 0).x / 0.2;

@@ -127,7 +127,7 @@ TEST_CASE("sampler, filter, lens and --one-sided each change the film") {
   };
   add([](render::RenderSettings& s) { s.image.sampler = render::SamplerKind::independent; });
   add([](render::RenderSettings& s) { s.image.sampler = render::SamplerKind::stratified; });
-  add([](render::RenderSettings& s) { s.image.filter = render::FilterKind::tent; });
+  add([](render::RenderSettings& s) { s.image.filter.kind = render::FilterKind::tent; });
   add([](render::RenderSettings& s) { s.image.lens = render::LensKind::square; });
   add([](render::RenderSettings& s) { s.image.oneSided = true; });
   add([](render::RenderSettings& s) { s.image.nextEventEstimation = false; });

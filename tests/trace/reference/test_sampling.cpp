@@ -101,6 +101,27 @@ TEST_CASE("the tent warp inverts the tent's distribution function") {
   }
 }
 
+TEST_CASE("the Gaussian warp inverts the distribution function of a Gaussian that is lowered to 0 at its ends") {
+  const double edge = std::exp(-8.0);
+  const auto integral = [&](double x) { return std::sqrt(kPi / 2) * std::erf(x / std::sqrt(2.0)) - x * edge; };
+  const auto below = [&](double x) { return 0.5 + integral(x) / (2 * integral(4)); };
+  const auto check = [&](double u) {
+    CAPTURE(u);
+    const double x = sampleGaussian(u);
+    CHECK(std::abs(x) <= 4);
+    CHECK(below(x) == Approx(u).margin(1e-13));
+  };
+  for (double u = 0; u < 1; u += 1.0 / 256) check(u);
+  for (double u = 0x1p-24; u < 1e-4; u *= 2) {
+    check(u);
+    check(1 - u);
+    CHECK(sampleGaussian(1 - u) == -sampleGaussian(u));
+  }
+  CHECK(sampleGaussian(0) == -4);
+  CHECK(sampleGaussian(0.5) == 0);
+  CHECK(sampleGaussian(1) == 4);
+}
+
 TEST_CASE("a frame is orthonormal and right-handed around any direction") {
   for (int i = 0; i <= 20; ++i) {
     for (int j = 0; j < 20; ++j) {

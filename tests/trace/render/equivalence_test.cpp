@@ -92,11 +92,13 @@ TEST_CASE("samplers, filters and lenses agree with the reference", "[swiftshader
       {{render::SamplerKind::independent, box, render::LensKind::square},
        {render::SamplerKind::stratified, render::FilterKind::tent, render::LensKind::disc},
        {render::SamplerKind::sobol, box, render::LensKind::disc},
-       {render::SamplerKind::sobol, render::FilterKind::tent, render::LensKind::square}}));
+       {render::SamplerKind::sobol, render::FilterKind::tent, render::LensKind::square},
+       {render::SamplerKind::independent, gaussian, render::LensKind::disc},
+       {render::SamplerKind::sobol, gaussian, render::LensKind::square}}));
   const scene::Scene scene = loadTestScene("depth_of_field.p3f");
   render::RenderSettings settings = squareSettings(64, 1);
   settings.image.sampler = sampler;
-  settings.image.filter = filter;
+  settings.image.filter = {filter, 0.8f};
   settings.image.lens = lens;
   requireSamePixels(scene, settings);
 }
