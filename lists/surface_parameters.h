@@ -3,16 +3,17 @@
 #define CANDELA_LISTS_SURFACE_PARAMETERS_H
 
 // RECORD(name, constant in GLSL, its index among the records of a surface, whether a kernel loads it).
-#define CANDELA_SURFACE_RECORDS(RECORD)                    \
-  RECORD(base, kSurfaceBase, 0u, true)                     \
-  RECORD(specular, kSurfaceSpecular, 1u, true)             \
-  RECORD(shape, kSurfaceShape, 2u, true)                   \
-  RECORD(coat, kSurfaceCoat, 3u, kHasCoat || kHasVolumes)  \
-  RECORD(direction, kSurfaceDirection, 4u, kHasAnisotropy) \
-  RECORD(sheen, kSurfaceSheen, 5u, kHasSheen)              \
-  RECORD(film, kSurfaceFilm, 6u, kHasFilm)                 \
-  RECORD(eta, kSurfaceEta, 7u, kHasConductors)             \
-  RECORD(kappa, kSurfaceKappa, 8u, kHasConductors || kHasDispersion)
+#define CANDELA_SURFACE_RECORDS(RECORD)                              \
+  RECORD(base, kSurfaceBase, 0u, true)                               \
+  RECORD(specular, kSurfaceSpecular, 1u, true)                       \
+  RECORD(shape, kSurfaceShape, 2u, true)                             \
+  RECORD(coat, kSurfaceCoat, 3u, kHasCoat || kHasVolumes)            \
+  RECORD(direction, kSurfaceDirection, 4u, kHasAnisotropy)           \
+  RECORD(sheen, kSurfaceSheen, 5u, kHasSheen)                        \
+  RECORD(film, kSurfaceFilm, 6u, kHasFilm)                           \
+  RECORD(eta, kSurfaceEta, 7u, kHasConductors)                       \
+  RECORD(kappa, kSurfaceKappa, 8u, kHasConductors || kHasDispersion) \
+  RECORD(plastic, kSurfacePlastic, 9u, kHasPlastic)
 
 // COLOUR(member, default, record): three floats, in x, y and z of the record. NUMBER(member, default, record, lane).
 // FLAG(member, default): a device derives it. The members are those of scene::SurfaceParameters and of GLSL's struct of

@@ -41,6 +41,7 @@ SurfaceParameters loadSurface(uint index, out uint volume) {
   s.isConductor = records.eta.w != 0.0;
   s.eta = records.eta.xyz;
   s.kappa = records.kappa.xyz;
+  s.plastic = records.plastic;
   return s;
 }
 

@@ -19,6 +19,7 @@ struct SurfaceParameters {
   bool isConductor;
   vec3 eta;    // complex index of refraction of a conductor
   vec3 kappa;
+  vec4 plastic;  // the record of plastic: scene_rows.h
 };
 
 // A thin film on a dielectric, as seen from one direction: section 5.11.
@@ -37,6 +38,14 @@ struct Glass {
   vec3 normal;       // reflectance at normal incidence, and its rise to grazing angles
   vec3 grazing;
   vec3 absorbed;     // of FilmOnGlass
+};
+
+// The boundary of plastic, as seen from one direction: section 5.14.
+struct Plastic {
+  uint kind;        // kPlastic...
+  float ior;
+  float exitFactor; // of the transmittance, for the light that leaves the base
+  uint firstRow;    // of the transmittances
 };
 
 // The lobes of a surface as seen from one direction: section 5.4.
@@ -60,6 +69,7 @@ struct SurfaceLobes {
   vec3 conductor;       // factor of conductorReflectance()
   vec3 eta;
   vec3 kappa;
+  Plastic plastic;      // with it, `specular` is the factor of its boundary, and `grazing` does not count
 };
 
 struct Material {

@@ -71,6 +71,7 @@ vec3 scatteringByOthers(Material m, Facets facets, vec3 wo, vec3 wi, inout float
   float cosine = kappa * max(0.0, dot(wi, normal));
   float probability;
   vec3 f = diffuseLobeOfMaterial(m, wo, probability);
+  if (kHasPlastic && m.lobes.plastic.kind != kPlasticNone) f *= plasticFactor(m.lobes.plastic, max(0.0, dot(wi, normal)));
   pdf += probability * (cosine / kPi);
   return f * cosine;
 }

@@ -1,4 +1,4 @@
-// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.13. Directions are in the local frame of the
+// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.14. Directions are in the local frame of the
 // shading normal and point away from the surface.
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL
@@ -7,6 +7,7 @@
 #include "conductor.glsl"
 #include "material.glsl"
 #include "microfacets.glsl"
+#include "plastic.glsl"
 #include "sheen.glsl"
 #include "thin_film.glsl"
 #include "transmission.glsl"
@@ -72,6 +73,8 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   lobes.specular = opaque * layer * normal + metal * metalNormal;
   lobes.grazing = opaque * layer * rise + metal * metalRise;
   float specular = luminance(lobes.specular * albedo.x + lobes.grazing * albedo.y);
+  lobes.plastic.kind = kPlasticNone;
+  if (kHasPlastic && s.plastic.x != 0.0) specular = addPlastic(s, wo, lobes);
   if (kHasConductors) separateConductor(s, metal, metalNormal, metalRise, lobes);
   float diffuse = luminance(lobes.diffuse);
   float transmitting = 0.0;
@@ -102,8 +105,8 @@ SurfaceLobes lobesAt(SurfaceParameters s, vec3 wo, bool outside) {
   return lobes;
 }
 
-vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
-  vec3 h = unit(wo + wi);
+// Returns f and the pdf of the lobes below sheen and coat, for wi.z > 0.
+vec3 evaluateBase(SurfaceLobes lobes, vec3 wo, vec3 wi, vec3 h, out float pdf) {
   float cosOH = min(dot(wo, h), 1.0);
   vec3 metal = vec3(0.0);  // before the rest, because it needs many registers
   if (kHasConductors && largest(lobes.conductor) > 0.0) {
@@ -120,7 +123,17 @@ vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
     probability += lobes.glassProbability * reflectionProbability(keptByGlass(lobes.glass, schlick));
   }
   pdf = lobes.diffuseProbability * (wi.z / kPi) + probability * visibleReflectionPdf(d, wo.z, lengthO);
-  vec3 f = lobes.diffuse / kPi + reflectance * (d * visibility(wo, wi, lengthO, lobes.alpha));
+  return lobes.diffuse / kPi + reflectance * (d * visibility(wo, wi, lengthO, lobes.alpha));
+}
+
+vec3 evaluateReflection(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
+  vec3 h = unit(wo + wi);
+  vec3 f;
+  if (kHasPlastic && lobes.plastic.kind != kPlasticNone) {
+    f = evaluatePlastic(lobes, wo, wi, pdf);
+  } else {
+    f = evaluateBase(lobes, wo, wi, h, pdf);
+  }
   if (kHasSheen && lobes.sheenProbability > 0.0) {
     f = f * lobes.belowSheen + evaluateSheen(lobes, wo, wi);
     pdf += lobes.sheenProbability * capPdf(1.0);
@@ -170,7 +183,7 @@ vec3 evaluateChannels(Material m, vec3 wo, vec3 wi, out float pdf) {
   return f;
 }
 
-// Returns f of the diffuse lobe for any direction, and the probability of the lobe.
+// Returns f of the diffuse lobe for any direction, without the factor of plastic, and the probability of the lobe.
 vec3 diffuseLobe(SurfaceLobes lobes, out float probability) {
   probability = lobes.diffuseProbability;
   float below = kHasSheen && lobes.sheenProbability > 0.0 ? lobes.belowSheen : 1.0;
@@ -210,7 +223,12 @@ BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   } else if (isDiffuse) {
     result.wi = sampleCosineHemisphere(numbers.yz);
   } else {
-    vec3 h = sampleVisibleNormal(numbers.yz, wo, coated ? vec2(lobes.coatAlpha) : lobes.alpha);
+    vec3 h;
+    if (kHasPlastic && !coated && lobes.plastic.kind != kPlasticNone) {
+      h = samplePlasticNormal(lobes.plastic, numbers.yz, wo, lobes.alpha.y);
+    } else {
+      h = sampleVisibleNormal(numbers.yz, wo, coated ? vec2(lobes.coatAlpha) : lobes.alpha);
+    }
     float cosOH = min(dot(wo, h), 1.0);
     result.wi = 2.0 * cosOH * h - wo;
     if (kHasTransmission && !coated) {

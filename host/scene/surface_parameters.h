@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "host/scene/plastic.h"
 #include "lists/surface_parameters.h"
 
 namespace candela::scene {
@@ -29,6 +30,10 @@ struct SurfaceParameters {
 #undef CANDELA_DECLARE_FLAG
   float anisotropyRotation = 0;          ///< of anisotropy's direction from the tangent, counter-clockwise, in radians
   std::optional<Conductor> conductor{};  ///< of the metal, which reflects by Fresnel's equations times the base colour
+
+  /// Makes the base plastic: the base colour is that of its diffuse base, and the specular colour a factor of what its
+  /// boundary reflects. Metalness, transmission, specular weight, anisotropy and film have their defaults or 0.
+  std::optional<Plastic> plastic{};
 
   /// The surface bounds a volume, which light enters and leaves by refraction.
   bool hasVolume() const { return !isThinWalled && transmissionWeight > 0; }

@@ -97,7 +97,9 @@ CANDELA_CONST uint kMaterialRows = 5u;
 // Surface parameters, the records of CANDELA_SURFACE_RECORDS with the lanes that CANDELA_SURFACE_PARAMETERS states, and
 // these: direction.x is the number of the volume that the surface bounds or 0, as a word; direction.z and w are cosine
 // and sine of the rotation of the anisotropy; eta is the real part of a conductor's index of refraction, with 1 in w if
-// the metal is a conductor, and kappa its imaginary part. The dispersion is 0 if there is none. The surfaces that bound
+// the metal is a conductor, and kappa its imaginary part; plastic is (kPlastic..., reflectance for light from the inside,
+// 1 if nonlinear, first record of its transmittances, counted from the first surface's). The dispersion is 0 if there is
+// none. The surfaces that bound
 // volumes come first; the number of a volume is the index of its surface + 1.
 struct SurfaceRecords {
 #define CANDELA_DECLARE_RECORD(record, name, index, isLoaded) vec4 record;
@@ -111,6 +113,15 @@ CANDELA_SURFACE_RECORDS(CANDELA_DECLARE_RECORD)
 CANDELA_CONST uint kSurfaceRows = CANDELA_SURFACE_RECORDS(CANDELA_COUNT_RECORD);
 #undef CANDELA_COUNT_RECORD
 CANDELA_CONST uint kMaxVolumeCount = 2047u;
+CANDELA_CONST uint kPlasticNone = 0u;
+CANDELA_CONST uint kPlasticSmooth = 1u;
+CANDELA_CONST uint kPlasticGgx = 2u;
+CANDELA_CONST uint kPlasticBeckmann = 3u;
+
+// Transmittances of the rough boundaries of plastic, after the surfaces: for each surface 21 records, whose four values are those at
+// consecutive nodes of scene::Plastic. The last value of a record is the first of the next one.
+CANDELA_CONST uint kPlasticCells = 63u;
+CANDELA_CONST uint kPlasticCellsPerRow = 3u;
 
 // Number of cells of the energy tables in each dimension.
 #define CANDELA_DECLARE_CELLS(nodes, cells, count) CANDELA_CONST uint cells = count - 1u;

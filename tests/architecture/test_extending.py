@@ -53,7 +53,7 @@ def apply_recipes(folder):
 
 # The steps of the recipe of a surface parameter: (file, text that occurs once in it, text that takes its place).
 BOOST = (
-    ("lists/surface_parameters.h", "  RECORD(kappa, ", "  RECORD(boost, kSurfaceBoost, 9u, kHasBoost) \\\n  RECORD(kappa, "),
+    ("lists/surface_parameters.h", "  RECORD(kappa, ", "  RECORD(boost, kSurfaceBoost, 10u, kHasBoost) \\\n  RECORD(kappa, "),
     ("lists/surface_parameters.h", "  NUMBER(coatRoughness, ", "  NUMBER(specularBoost, 1, boost, x) \\\n  NUMBER(coatRoughness, "),
     ("host/trace/flatten/flatten_features.cpp", "  features.surfaces = true;\n",
      "  features.surfaces = true;\n  features.boosts |= surface.specularBoost != 1;\n"),

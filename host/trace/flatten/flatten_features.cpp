@@ -48,6 +48,7 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.dispersion |= surface.disperses();
   features.conductors |= surface.conductor && surface.metalness > 0;
   features.anisotropy |= surface.anisotropy > 0;
+  features.plastics |= surface.plastic.has_value();
   features.sheens |= surface.sheenColour != glm::vec3(0);
 }
 

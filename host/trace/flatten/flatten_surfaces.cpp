@@ -62,7 +62,40 @@ gpu::SurfaceRecords recordsOf(const scene::SurfaceParameters& s) {
   return records;
 }
 
-void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows) {
+float plasticKind(scene::PlasticBoundary boundary) {
+  switch (boundary) {
+    case scene::PlasticBoundary::smooth:
+      break;
+    case scene::PlasticBoundary::ggx:
+      return gpu::kPlasticGgx;
+    case scene::PlasticBoundary::beckmann:
+      return gpu::kPlasticBeckmann;
+  }
+  return gpu::kPlasticSmooth;
+}
+
+/// The transmittances of plastic, which follow the surfaces.
+struct Transmittances {
+  std::uint32_t first;  ///< index of their first record, counted from the first surface's
+  Rows rows;
+};
+
+// Returns the record of plastic, and appends its transmittances.
+gpu::vec4 storePlastic(const scene::Plastic& plastic, Transmittances& transmittances) {
+  static_assert(scene::Plastic::kNodes == gpu::kPlasticCells + 1);
+  const auto first = static_cast<float>(transmittances.first + rowCount(transmittances.rows));
+  if (plastic.boundary != scene::PlasticBoundary::smooth) {
+    const auto& values = plastic.transmittances;
+    for (std::size_t i = 0; i + 1 < values.size(); i += gpu::kPlasticCellsPerRow) {
+      transmittances.rows.push_back(
+          {floatBits(values[i]), floatBits(values[i + 1]), floatBits(values[i + 2]), floatBits(values[i + 3])});
+    }
+  }
+  return {plasticKind(plastic.boundary), plastic.internalReflectance, plastic.isNonlinear ? 1 : 0, first};
+}
+
+void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows,
+                   Transmittances& transmittances) {
   gpu::SurfaceRecords records = recordsOf(s);
   if (!s.disperses()) records.kappa.w = 0;
   const double rotation = s.anisotropyRotation;
@@ -73,6 +106,7 @@ void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows
   store(conductor.ior, records.eta);
   store(conductor.extinction, records.kappa);
   records.eta.w = s.conductor ? 1 : 0;
+  if (s.plastic) records.plastic = storePlastic(*s.plastic, transmittances);
   const std::size_t first = rows.size();
   rows.resize(first + gpu::kSurfaceRows);
 #define CANDELA_STORE_RECORD(record, name, index, isLoaded) \
@@ -106,9 +140,12 @@ SurfaceOrder orderSurfaces(const scene::Scene& scene) {
 
 Rows surfaceRows(const scene::Scene& scene, const SurfaceOrder& order) {
   Rows rows;
+  Transmittances transmittances{static_cast<std::uint32_t>(order.materials.size()) * gpu::kSurfaceRows, {}};
   for (std::uint32_t i = 0; i < order.materials.size(); ++i) {
-    appendSurface(*scene.materials[order.materials[i]].surface, i < order.volumeCount ? i + 1 : 0, rows);
+    const std::uint32_t volume = i < order.volumeCount ? i + 1 : 0;
+    appendSurface(*scene.materials[order.materials[i]].surface, volume, rows, transmittances);
   }
+  rows.insert(rows.end(), transmittances.rows.begin(), transmittances.rows.end());
   return rows;
 }
 

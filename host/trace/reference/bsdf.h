@@ -61,6 +61,8 @@ class Bsdf {
 
   /// Returns the sum over all lobes with a density. The integrator multiplies f by |cos wi|.
   BsdfValue evaluate(const dvec3& wo, const dvec3& wi) const;
+  /// Returns the factor of diffuseLobe() for light that arrives at this cosine: see SurfaceBsdf.
+  double diffuseFactor(double cosine) const { return surface_ ? surface_->diffuseFactor(cosine) : 1; }
   /// Returns the diffuse lobe of a surface: its f, and its density divided by the cosine; 0 for other materials.
   BsdfValue diffuseLobe() const {
     if (dispersive_) return dispersive_->diffuseLobe();

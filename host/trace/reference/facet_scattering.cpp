@@ -17,11 +17,15 @@ void addOtherFacets(const Bsdf& bsdf, const NormalMapFacets& facets, const dvec3
   const dvec3 mirrorImage = facets.mirrored(wi);
   const bool isSeen = sideOf(mirrorImage) == side;
   const BsdfValue mirrored = isSeen ? timesCosine(bsdf, wo, mirrorImage) : BsdfValue{};
-  double diffuseCosine = 0;
-  if (side == Side::reflection) diffuseCosine = facets.cosineByOthers(wi) - (isSeen ? mirrorImage.z : 0);
+  double byOthers = 0, counted = 0;
+  if (side == Side::reflection) {
+    byOthers = facets.cosineByOthers(wi);
+    counted = isSeen ? mirrorImage.z : 0;
+  }
+  const double factor = bsdf.diffuseFactor(facets.geometricCosine(wi)), factorCounted = bsdf.diffuseFactor(counted);
   const BsdfValue diffuse = bsdf.diffuseLobe();
-  value.f += mirrored.f + diffuse.f * diffuseCosine;
-  value.pdf += mirrored.pdf + diffuse.pdf * diffuseCosine;
+  value.f += mirrored.f + diffuse.f * (factor * byOthers - factorCounted * counted);
+  value.pdf += mirrored.pdf + diffuse.pdf * (byOthers - counted);
 }
 
 }  // namespace

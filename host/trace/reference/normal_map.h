@@ -26,8 +26,9 @@ class NormalMapFacets {
   /// Returns a direction of the diffuse lobe below the surface as it is scattered again, by the cosine to the geometric
   /// normal.
   dvec3 scatteredAgain(const dvec3& w) const;
+  double geometricCosine(const dvec3& wi) const { return std::max(0.0, dot(wi, geometric_)); }
   /// Returns the factor of the diffuse lobe, in the place of a cosine, for light from `wi` by other facets.
-  double cosineByOthers(const dvec3& wi) const { return sunkFraction() * std::max(0.0, dot(wi, geometric_)); }
+  double cosineByOthers(const dvec3& wi) const { return sunkFraction() * geometricCosine(wi); }
   bool isOn(Side side, const dvec3& w) const { return (dot(w, geometric_) > 0) == (side == Side::reflection); }
 
  private:

@@ -9,6 +9,14 @@
 #include "host/trace/reference/sampling.h"
 
 namespace candela::reference {
+namespace {
+
+// Returns D V.
+double shapeOf(const Microfacets& microfacets, const dvec3& wo, const dvec3& wi, const dvec3& h) {
+  return microfacets.distribution(h) * microfacets.maskingShadowing(wo, wi) / (4 * wo.z * wi.z);
+}
+
+}  // namespace
 
 double coatReflectance(double weight, double cosine) {
   return weight * std::lerp(0.04, 1.0, std::pow(std::max(0.0, 1 - cosine), 5));
@@ -39,6 +47,12 @@ SurfaceBsdf::SurfaceBsdf(const scene::SurfaceParameters& surface, const dvec3& w
   diffuse_ = opaque_ * std::max(0.0, 1 - largestOf(layer)) * base;
   const double reflecting = weight * largestOf(bases_.dielectric.albedo(single));
   const double specular = image::luminance(opaque_ * layer + metalness_ * metal_.albedo(single));
+  if (surface.plastic) {
+    plastic_.emplace(surface, wo);
+    diffuse_ = plastic_->baseAlbedo();
+    weigh(image::luminance(diffuse_), image::luminance(plastic_->reflected()), 0);
+    return;
+  }
   weigh(image::luminance(diffuse_), specular,
         (1 - metalness_ - opaque_) * std::lerp(image::luminance(base), 1.0, reflecting));
 }
@@ -72,27 +86,35 @@ dvec3 SurfaceBsdf::metalAt(double cosine) const {
   return conductorFactor_ * conductorReflectance(cosine, conductor_->ior, conductor_->extinction);
 }
 
-BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
+BsdfValue SurfaceBsdf::evaluatePlastic(const dvec3& wi) const {
+  const dvec3 h = normalize(wo_ + wi);
+  return {diffuseFactor(wi.z) / kPi * diffuse_ + plastic_->reflection(wi),
+          diffuseProbability_ * wi.z / kPi + specularProbability_ * plastic_->normalPdf(h) / (4 * dot(wo_, h))};
+}
+
+BsdfValue SurfaceBsdf::evaluateBase(const dvec3& wi) const {
   const dvec3 h = normalize(wo_ + wi);
   const double cosine = dot(wo_, h);
-  const auto shape = [&](const Microfacets& m) {
-    return m.distribution(h) * m.maskingShadowing(wo_, wi) / (4 * wo_.z * wi.z);
-  };
   dvec3 reflectance = opaque_ * dielectric_.at(cosine) + metalness_ * metalAt(cosine);
   double reflecting = specularProbability_;
   if (transmits()) {
     reflectance += glass_.reflectance(cosine);
     reflecting += glassProbability_ * glass_.reflectionProbability(cosine);
   }
-  BsdfValue value{diffuse_ / kPi + reflectance * shape(microfacets_),
-                  diffuseProbability_ * wi.z / kPi + reflecting * microfacets_.normalPdf(wo_, h) / (4 * cosine)};
+  return {diffuse_ / kPi + reflectance * shapeOf(microfacets_, wo_, wi, h),
+          diffuseProbability_ * wi.z / kPi + reflecting * microfacets_.normalPdf(wo_, h) / (4 * cosine)};
+}
+
+BsdfValue SurfaceBsdf::evaluateReflection(const dvec3& wi) const {
+  BsdfValue value = plastic_ ? evaluatePlastic(wi) : evaluateBase(wi);
   if (sheen_.exists()) {
     value.f = (1 - sheen_.takenFraction()) * value.f + sheen_.value(wo_, wi);
     value.pdf += sheenProbability_ * capPdf(1);
   }
   if (coat_.reflectance == 0) return value;
-  value.f = (1 - coat_.reflectance) * value.f + coat_.factor * shape(coat_.microfacets);
-  value.pdf += coat_.reflectance * coat_.microfacets.normalPdf(wo_, h) / (4 * cosine);
+  const dvec3 h = normalize(wo_ + wi);
+  value.f = (1 - coat_.reflectance) * value.f + coat_.factor * shapeOf(coat_.microfacets, wo_, wi, h);
+  value.pdf += coat_.reflectance * coat_.microfacets.normalPdf(wo_, h) / (4 * dot(wo_, h));
   return value;
 }
 
@@ -104,7 +126,7 @@ SurfaceSample SurfaceBsdf::sample(double choice, const dvec2& u) const {
     return {render::Lobe::diffuse, sampleCosineHemisphere(u), 0};
   }
   const Microfacets& microfacets = coated ? coat_.microfacets : microfacets_;
-  const dvec3 h = microfacets.sampleNormal(wo_, u);
+  const dvec3 h = !coated && plastic_ ? plastic_->sampleNormal(u) : microfacets.sampleNormal(wo_, u);
   const double cosine = dot(wo_, h);
   if (!coated && choice >= 1 - glassProbability_ * (1 - glass_.reflectionProbability(cosine))) {
     return {render::Lobe::refract, glass_.transmit(wo_, h), microfacets.alpha()};

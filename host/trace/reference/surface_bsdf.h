@@ -5,6 +5,7 @@
 #include "host/scene/surface_parameters.h"
 #include "host/trace/reference/bsdf_value.h"
 #include "host/trace/reference/microfacets.h"
+#include "host/trace/reference/plastic.h"
 #include "host/trace/reference/reflectance.h"
 #include "host/trace/reference/rough_glass.h"
 #include "host/trace/reference/sheen.h"
@@ -37,8 +38,12 @@ class SurfaceBsdf {
   double filmThickness() const { return filmThickness_; }
   /// Returns the sum over all lobes.
   BsdfValue evaluate(const dvec3& wi) const;
-  /// Returns the diffuse lobe, which depends on no direction on its side: its f, and its density divided by the cosine.
+  /// Returns the diffuse lobe without diffuseFactor(), so that it depends on no direction on its side: its f, and its
+  /// density divided by the cosine.
   BsdfValue diffuseLobe() const;
+  /// Returns the factor of the diffuse lobe's f for light that arrives at this cosine, which is 1 unless the surface is
+  /// plastic.
+  double diffuseFactor(double cosine) const { return plastic_ ? plastic_->factorAt(cosine) : 1; }
   /// `choice` decides on the lobe, `u` on the direction.
   SurfaceSample sample(double choice, const dvec2& u) const;
 
@@ -52,6 +57,8 @@ class SurfaceBsdf {
 
   void weigh(double diffuse, double specular, double glass);
   BsdfValue evaluateReflection(const dvec3& wi) const;
+  BsdfValue evaluatePlastic(const dvec3& wi) const;
+  BsdfValue evaluateBase(const dvec3& wi) const;
   /// Returns the reflectance of the metal for wo.h = `cosine`, with its compensation.
   dvec3 metalAt(double cosine) const;
 
@@ -68,6 +75,7 @@ class SurfaceBsdf {
   double filmThickness_;
   dvec3 conductorFactor_{0};
   std::optional<scene::Conductor> conductor_;
+  std::optional<PlasticLobes> plastic_;  ///< instead of the microfacets, the bases and the glass
   dvec3 diffuse_{0};
   double sheenProbability_ = 0;
   double diffuseProbability_ = 0;

@@ -79,7 +79,7 @@ TEST_CASE("every surface parameter has lanes of its own in the records of a surf
                                          .anisotropyRotation = std::numbers::pi_v<float> / 3,
                                          .conductor = scene::Conductor{{27, 28, 29}, {30, 31, 32}}};
   const flatten::Rows rows = recordsOf(surface);
-  REQUIRE(rows.size() == 9);
+  REQUIRE(rows.size() == 10);
   CHECK(floats(rows[0]) == glm::vec4(1, 2, 3, 4));
   CHECK(floats(rows[1]) == glm::vec4(5, 6, 7, 8));
   CHECK(floats(rows[2]) == glm::vec4(9, 10, 11, 21));
@@ -92,6 +92,26 @@ TEST_CASE("every surface parameter has lanes of its own in the records of a surf
   CHECK(floats(rows[6]) == glm::vec4(23, 24, 25, 26));
   CHECK(floats(rows[7]) == glm::vec4(27, 28, 29, 1));
   CHECK(floats(rows[8]) == glm::vec4(30, 31, 32, 12));
+  CHECK(floats(rows[9]) == glm::vec4(0));
+}
+
+TEST_CASE("the transmittances of rough plastic follow the surfaces, with shared values at the ends of records") {
+  scene::Plastic plastic{scene::PlasticBoundary::beckmann, true, 0.5f, {}};
+  for (std::size_t i = 0; i < plastic.transmittances.size(); ++i) plastic.transmittances[i] = static_cast<float>(i);
+  scene::Scene scene;
+  for (const scene::PlasticBoundary boundary :
+       {scene::PlasticBoundary::ggx, scene::PlasticBoundary::smooth, scene::PlasticBoundary::beckmann}) {
+    plastic.boundary = boundary;
+    scene.materials.emplace_back().surface = scene::SurfaceParameters{.plastic = plastic};
+  }
+  const flatten::Rows rows = flatten::surfaceRows(scene, flatten::orderSurfaces(scene));
+  REQUIRE(rows.size() == 3 * 10 + 2 * 21);
+  CHECK(floats(rows[9]) == glm::vec4(2, 0.5f, 1, 30));
+  CHECK(floats(rows[19]) == glm::vec4(1, 0.5f, 1, 51));
+  CHECK(floats(rows[29]) == glm::vec4(3, 0.5f, 1, 51));
+  CHECK(floats(rows[30]) == glm::vec4(0, 1, 2, 3));
+  CHECK(floats(rows[52]) == glm::vec4(3, 4, 5, 6));
+  CHECK(floats(rows[71]) == glm::vec4(60, 61, 62, 63));
 }
 
 TEST_CASE("every texture slot and treatment of coordinates has a value of its own, from 0 on") {
