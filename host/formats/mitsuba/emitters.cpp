@@ -106,7 +106,9 @@ void Emitters::addSpot(const Object& emitter) {
         "the linear fall-off of emitter \"spot\" between beam_width and cutoff_angle, instead of which it has glTF's "
         "with the same power");
   }
-  emitter.omit({"texture"}, report_);
+  if (const Property* const texture = emitter.find("texture")) {
+    report_.deviate(texture->place, "the texture of a spot light is not rendered", "leaves it out");
+  }
   scene_.punctualLights.push_back(light);
 }
 

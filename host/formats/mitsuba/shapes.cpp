@@ -84,8 +84,7 @@ void Shapes::addLeaf(const Object& shape, const glm::dmat4& map, bool isInstance
   if (!look.isInvisible) beginObject(shape);
   const bool isRound = !look.isInvisible && addRound(shape, whole, look);
   if (!isRound) {
-    std::string key;
-    StoredMesh* const stored = meshOf(shape, look, key);
+    StoredMesh* const stored = meshOf(shape, look);
     if (stored && !look.isInvisible) {
       if (isInstance) {
         addInstance(*stored, whole, shape, look);
@@ -235,7 +234,7 @@ std::uint32_t Shapes::blackMaterial() {
 }
 
 /// Returns the mesh of a shape with the attributes that its material needs; null if its file cannot be read.
-Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look, std::string& key) {
+Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
   const bool hasFaceNormals = shape.flag("face_normals", false);
   const bool isFile = shape.type == "obj" || shape.type == "ply" || shape.type == "serialized";
   const bool flipsTexCoords = isFile && shape.flag("flip_tex_coords", shape.type == "obj");
@@ -245,12 +244,13 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look, std::s
     if (!shape.has("filename"))
       throw PlacedError{shape.place, fmt::format("{} has no \"filename\"", shape.description())};
     path = findFile(shape.text("filename", ""), *shape.place.document, description_, file_.folder);
-    if (shape.has("vertex_merging")) shape.ignore({"vertex_merging"}, report_);
+    shape.ignore({"vertex_merging"}, report_);
   }
   if (look.isInvisible) return nullptr;
   const scene::Material& material = scene_.materials[look.material];
   const auto& tangentTexture = tangentTextureOf(material);
-  key = fmt::format("{} {} {} {} {} ", shape.type, hasFaceNormals, flipsTexCoords, isFlipped, look.usesVertexColours);
+  std::string key = fmt::format("{} {} {} {} {} ", shape.type, hasFaceNormals, flipsTexCoords, isFlipped,
+                                look.usesVertexColours);
   if (tangentTexture) {
     const auto& [s, t] = std::pair(tangentTexture->rowS, tangentTexture->rowT);
     key += fmt::format("{} {} {} {} {} {} ", s.x, s.y, s.z, t.x, t.y, t.z);

@@ -59,7 +59,7 @@ class Shapes {
   void addSphere(const Object& shape, const glm::dmat4& map, bool isFlipped, const Look& look);
   void addCylinder(const Object& shape, const glm::dmat4& map, bool isFlipped, const Look& look);
   glm::dmat4 ownMap(const Object& shape) const;
-  StoredMesh* meshOf(const Object& shape, const Look& look, std::string& key);
+  StoredMesh* meshOf(const Object& shape, const Look& look);
   scene::Mesh readFile(const Object& shape, const std::filesystem::path& path, bool hasFaceNormals, bool flips);
   void finish(scene::Mesh& mesh, const Look& look) const;
   void addPlaced(scene::Mesh mesh, const glm::dmat4& map, const Object& shape, const Look& look);

@@ -75,6 +75,13 @@ TEST_CASE("A spot light has the power of Mitsuba's, whose fall-off is another on
   CHECK(std::ranges::any_of(xmlWarningsOf(loaded), isFallOff));
 }
 
+TEST_CASE("The texture of a spot light is an error, or left out with a warning") {
+  const std::string spot = emitter("spot", R"(<texture type="checkerboard" name="texture"/>)");
+  CHECK(xmlErrorsOf(spot).find("2:22: the texture of a spot light is not rendered; lenient leaves it out") !=
+        std::string::npos);
+  CHECK(loadXml(spot, {.lenient = true}).scene.punctualLights.size() == 1);
+}
+
 // Mitsuba: u = atan2(x, -z) / 2 pi, v = acos(y) / pi. The left edge of the map is -z, a quarter of the width is +x.
 TEST_CASE("An environment map has Mitsuba's directions") {
   const TemporaryFolder folder;

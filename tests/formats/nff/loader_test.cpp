@@ -89,7 +89,8 @@ TEST_CASE("a file that is no scene is refused as a whole") {
     CAPTURE(text);
     const Diagnostic error = errorOfFile("scene.stl", text);
     CHECK(contains(error.message, "unknown scene format"));
-    CHECK(contains(error.message, "glTF 2.0 (.gltf, .glb), PLY (.ply), OBJ (.obj), NFF or P3F (.nff, .p3f)"));
+    CHECK(contains(error.message,
+                   "glTF 2.0 (.gltf, .glb), PLY (.ply), Mitsuba (.xml), OBJ (.obj), NFF or P3F (.nff, .p3f)"));
     CHECK(contains(error.file, "scene.stl"));
     CHECK(error.line == 0);
   }
