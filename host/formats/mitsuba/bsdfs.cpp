@@ -245,21 +245,43 @@ Bsdf Bsdfs::conductor(const Object& bsdf, bool isRough) {
   return result;
 }
 
+// The tables of a rough boundary take up to 0.1 s.
+const scene::Plastic& Bsdfs::plasticOf(const Object& bsdf, scene::PlasticBoundary boundary, float roughness, float ior,
+                                       bool isNonlinear) {
+  const auto [entry, isNew] = plastics_.try_emplace({boundary, roughness, ior, isNonlinear});
+  if (plastics_.size() > kMaxPlastics) {
+    throw PlacedError{bsdf.place, fmt::format("a scene has at most {} kinds of plastic", kMaxPlastics)};
+  }
+  if (isNew) entry->second = scene::makePlastic(boundary, roughness, ior, isNonlinear);
+  return entry->second;
+}
+
 Bsdf Bsdfs::plastic(const Object& bsdf, bool isRough) {
   Bsdf result;
-  report_.deviate(bsdf.place, fmt::format("{} is not rendered yet", bsdf.description()),
-                  "renders a diffuse surface below a dielectric with microfacets (GGX)");
-  bsdf.ignore({"distribution", "sample_visible"}, report_);
-  bsdf.omit({"nonlinear"}, report_);
+  bsdf.ignore({"sample_visible"}, report_);
   const Texture colour = baseColour(bsdf, "diffuse_reflectance", 0.5, result);
   const double ior = iorOf(bsdf, "int_ior", "polypropylene") / iorOf(bsdf, "ext_ior", "air");
+  if (ior <= 1) {
+    report_.deviate(bsdf.place, "plastic whose index of refraction is at most that of its outside is not rendered",
+                    "renders it with 1.0001 times that");
+  }
+  auto boundary = scene::PlasticBoundary::smooth;
+  double alpha = 0;
+  if (isRough) {
+    const std::string distribution = lowerCase(bsdf.text("distribution", "beckmann"));
+    if (distribution != "ggx" && distribution != "beckmann") {
+      throw PlacedError{bsdf.place, fmt::format("{} is no distribution of microfacets", quote(distribution))};
+    }
+    boundary = distribution == "ggx" ? scene::PlasticBoundary::ggx : scene::PlasticBoundary::beckmann;
+    alpha = constant(bsdf, "alpha", 0.1, ColourUse::unbounded).x;
+  }
   scene::SurfaceParameters surface;
   surface.baseColour = limited(colour.factor);
-  surface.roughness = 0;
-  surface.ior = static_cast<float>(std::max(ior, 1.0));
+  surface.roughness = roughnessOf(alpha);
+  surface.ior = static_cast<float>(std::max(ior, 1.0001));
   surface.specularColour = glm::vec3(constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance));
+  surface.plastic = plasticOf(bsdf, boundary, surface.roughness, surface.ior, bsdf.flag("nonlinear", false));
   result.material.surface = surface;
-  if (isRough) setRoughness(bsdf, result.material);
   return result;
 }
 

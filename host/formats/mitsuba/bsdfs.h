@@ -1,9 +1,12 @@
 // BSDFs as materials.
 #pragma once
+#include <cstddef>
 #include <map>
+#include <tuple>
 
 #include "host/formats/mitsuba/textures.h"
 #include "host/scene/material.h"
+#include "host/scene/plastic.h"
 
 namespace candela::mitsuba {
 
@@ -23,6 +26,8 @@ class Bsdfs {
   const Bsdf& read(const Object& bsdf);
 
  private:
+  static constexpr std::size_t kMaxPlastics = 256;
+
   Bsdf make(const Object& bsdf, int depth);
   Bsdf diffuse(const Object& bsdf);
   Bsdf dielectric(const Object& bsdf);
@@ -30,6 +35,8 @@ class Bsdfs {
   Bsdf roughDielectric(const Object& bsdf);
   Bsdf conductor(const Object& bsdf, bool isRough);
   Bsdf plastic(const Object& bsdf, bool isRough);
+  const scene::Plastic& plasticOf(const Object& bsdf, scene::PlasticBoundary boundary, float roughness, float ior,
+                                  bool isNonlinear);
   Bsdf principled(const Object& bsdf);
   Bsdf twoSided(const Object& bsdf, int depth);
   Bsdf mask(const Object& bsdf, int depth);
@@ -46,6 +53,7 @@ class Bsdfs {
   bool isOld_;
   Report& report_;
   std::map<const Object*, Bsdf> known_{};
+  std::map<std::tuple<scene::PlasticBoundary, float, float, bool>, scene::Plastic> plastics_{};
 };
 
 }  // namespace candela::mitsuba

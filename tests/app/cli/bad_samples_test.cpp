@@ -40,12 +40,13 @@ render::BadSampleTally tallyOfOne() {
 TEST_CASE("a path's bad sample is replayed by `explain` with every option on which it depends") {
   const RenderJob job = jobWith(render::Integrator::path, render::SamplerKind::sobol);
   CHECK(replayCommand(kPixel, job) ==
-        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --lights power --accel bvh --spp 64 --pixel "
+        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --lights power --filter box --accel bvh "
+        "--spp 64 --pixel "
         "2,1 --sample 5");
   const RenderJob strata = jobWith(render::Integrator::path, render::SamplerKind::stratified);
   CHECK(replayCommand(kPixel, strata) ==
-        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --lights power --sampler stratified --accel "
-        "bvh --spp 64 "
+        "candela explain 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --lights power --sampler stratified --filter "
+        "box --accel bvh --spp 64 "
         "--pixel 2,1 --sample 5");
 }
 
@@ -63,14 +64,14 @@ TEST_CASE("the replay of an integrator without paths renders the image up to the
     const RenderJob job = jobWith(integrator, render::SamplerKind::sobol);
     const std::string start = "candela render 'a scene.p3f' --seed 9 --size 3x2 --max-depth 64 --integrator " +
                               std::string(name) + " --lights power";
-    CHECK(replayCommand(kPixel, job) == start + " --accel bvh --spp 6 -o replay.exr");
+    CHECK(replayCommand(kPixel, job) == start + " --filter box --accel bvh --spp 6 -o replay.exr");
     render::BadPixel other = kPixel;
     other.firstSample = 0;
-    CHECK(replayCommand(other, job) == start + " --accel bvh --spp 2 -o replay.exr");
+    CHECK(replayCommand(other, job) == start + " --filter box --accel bvh --spp 2 -o replay.exr");
     other.sampleCount = 1;
-    CHECK(replayCommand(other, job) == start + " --accel bvh --spp 1 -o replay.exr");
+    CHECK(replayCommand(other, job) == start + " --filter box --accel bvh --spp 1 -o replay.exr");
     CHECK(replayCommand(kPixel, jobWith(integrator, render::SamplerKind::stratified)) ==
-          start + " --sampler stratified --accel bvh --spp 64 -o replay.exr");
+          start + " --sampler stratified --filter box --accel bvh --spp 64 -o replay.exr");
   }
 }
 

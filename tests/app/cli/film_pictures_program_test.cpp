@@ -138,7 +138,7 @@ TEST_CASE("a film names every option that decides the image or how the scene is 
   CHECK(settings["camera"].is_null());
   CHECK(settings["time"].is_null());
   CHECK(settings["maxDepth"] == 64);
-  CHECK_THAT(runCandela({"film", film}).out, Contains("settings         --max-depth 64\n"));
+  CHECK_THAT(runCandela({"film", film}).out, Contains("settings         --filter box --max-depth 64\n"));
 }
 
 TEST_CASE("two film files are compared as pictures with variance") {

@@ -81,6 +81,30 @@ TEST_CASE("Dielectrics have the ratio of their indices of refraction") {
   CHECK(pane.surface->isThinWalled);
 }
 
+TEST_CASE("Plastics have the boundary, the index of refraction and the colours that are stated") {
+  const scene::SurfaceParameters smooth = *materialOf(R"(<bsdf type="plastic"/>)").surface;
+  CHECK(smooth.baseColour == glm::vec3(0.5f));
+  CHECK(smooth.specularColour == glm::vec3(1));
+  CHECK(smooth.ior == Approx(1.49 / 1.000277));
+  CHECK(smooth.plastic == scene::makePlastic(scene::PlasticBoundary::smooth, 0, smooth.ior));
+  const auto rough = [](const std::string& properties) {
+    return *materialOf(
+                R"(<bsdf type="roughplastic"><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>)" +
+                properties + "</bsdf>")
+                .surface;
+  };
+  const scene::SurfaceParameters absent = rough("");
+  CHECK(absent.roughness == Approx(std::sqrt(0.1)));
+  CHECK(absent.plastic == scene::makePlastic(scene::PlasticBoundary::beckmann, absent.roughness, 1.5f));
+  const scene::SurfaceParameters stated = rough(
+      R"(<string name="distribution" value="ggx"/><float name="alpha" value="0.25"/>
+<boolean name="nonlinear" value="true"/><rgb name="diffuse_reflectance" value="0.1 0.2 0.3"/>
+<rgb name="specular_reflectance" value="0.5 0.6 0.7"/>)");
+  CHECK(stated.plastic == scene::makePlastic(scene::PlasticBoundary::ggx, 0.5f, 1.5f, true));
+  CHECK(stated.baseColour == glm::vec3(0.1f, 0.2f, 0.3f));
+  CHECK(stated.specularColour == glm::vec3(0.5f, 0.6f, 0.7f));
+}
+
 TEST_CASE("Anisotropic conductors are rougher along u or v") {
   const auto with = [](const char* u, const char* v) {
     return *materialOf(std::string(R"(<bsdf type="roughconductor"><string name="distribution" value="ggx"/>)") +
@@ -108,7 +132,8 @@ TEST_CASE("What Mitsuba's BSDFs have and Candela does not is an error, or a repl
     CHECK(loaded.scene.primitives.size() == 2);
     CHECK_FALSE(loaded.warnings.empty());
   };
-  check(R"(<bsdf type="plastic"/>)", "2:25: bsdf \"plastic\" is not rendered yet; lenient renders a diffuse surface");
+  check(R"(<bsdf type="plastic"><float name="int_ior" value="0.9"/></bsdf>)",
+        "2:25: plastic whose index of refraction is at most that of its outside is not rendered; lenient renders");
   check(R"(<bsdf type="roughconductor"/>)",
         "the distribution \"beckmann\" is not rendered yet; lenient renders \"ggx\"");
   check(R"(<bsdf type="bumpmap"><bsdf type="diffuse"/></bsdf>)",
