@@ -40,6 +40,12 @@ TEST_CASE("a picture of variances in R, G and B, made from X, Y and Z, gives bac
   CHECK(image.luminanceVariance[0] == Approx(4).epsilon(1e-3));
   variances.rgb[0] = glm::vec3(1e-7f, -4e-8f, 1e-7f);
   CHECK_NOTHROW(takeVariances(image, variances));
+  image.rgb[0] = glm::vec3(2);
+  variances.rgb[0] = glm::vec3(-0.003f);  // by the rounding of sums of squares, which are 4
+  takeVariances(image, variances);
+  CHECK(image.luminanceVariance[0] == 0);
+  variances.rgb[0] = glm::vec3(-0.01f);
+  CHECK_THROWS_AS(takeVariances(image, variances), FileError);
   variances.rgb[0] = glm::vec3(0, -1, 0);
   CHECK_THROWS_AS(takeVariances(image, variances), FileError);
   variances.origin.x = 1;
