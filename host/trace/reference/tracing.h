@@ -105,8 +105,10 @@ class Tracing {
   /// sees the closer one, or the one with the lower index. `lightDistance` is the distance of the emitter. Returns
   /// nothing if the item does not emit, or they do not coincide.
   std::optional<bool> hidesEmitter(const Item& item, double t, const Item& light, double lightDistance) const;
-  /// Returns whether an item may coincide with another one. Requires replicas.
-  bool mayCoincide(const Item& item) const { return coincident_[stored_->indexOf(item.primitive)]; }
+  /// Returns whether an item may coincide with another one. It is known only if the settings have replicas.
+  bool mayCoincide(const Item& item) const {
+    return !coincident_.empty() && coincident_[stored_->indexOf(item.primitive)];
+  }
 
  private:
   Tracing(const scene::Scene& scene, const render::RenderSettings& settings, const dvec3& eye);

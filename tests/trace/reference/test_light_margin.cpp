@@ -1,6 +1,7 @@
 // Lights that touch surfaces are hidden neither by them nor by rounding; lights behind surfaces are hidden.
 #include <catch2/catch.hpp>
 #include <random>
+#include <utility>
 
 #include "host/trace/reference/rounding/rounded_arithmetic.h"
 #include "tests/trace/reference/default_settings.h"
@@ -17,11 +18,12 @@ namespace {
 // Counts the occluded shadow rays from points of the floor to the light.
 class ShadowRays {
  public:
-  ShadowRays(const scene::Scene& scene, const vec3& shift, std::uint32_t replicas = 0) : shift_(shift) {
+  ShadowRays(scene::Scene scene, const vec3& shift, std::uint32_t replicas = 0)
+      : scene_(std::move(scene)), shift_(shift) {
     render::RenderSettings settings = render::defaultSettings();
     settings.execution.replicas = replicas;
-    tracing_.emplace(scene, settings);
-    rounded_.emplace(scene, *tracing_, dvec3(scene.camera->from));
+    tracing_.emplace(scene_, settings);
+    rounded_.emplace(scene_, *tracing_, dvec3(scene_.camera->from));
   }
 
   int occluded(const dvec3& light, std::uint32_t replica = 0) {
@@ -42,6 +44,7 @@ class ShadowRays {
   static constexpr int kAll = 2000;
 
  private:
+  scene::Scene scene_;
   vec3 shift_;
   std::optional<Tracing> tracing_;
   std::optional<RoundedTracing> rounded_;
