@@ -41,15 +41,15 @@ bool takeMoments(Image& image) {
 }
 
 void takeVariances(Image& image, const Image& variances) {
-  // Relative to all components, of half precision; and to the square of the mean, of sums in single precision.
-  constexpr double kRounding = 0x1p-10;
+  constexpr double kRounding = 0x1p-10;    // of half precision, relative to all components
+  constexpr double kSumRounding = 0x1p-9;  // of sums of 2^15 squares in single precision, relative to that of the mean
   if (windowOf(image) != windowOf(variances)) throw FileError("its pixels are not where those of its picture are");
   image.luminanceVariance.clear();
   for (std::size_t i = 0; i < variances.rgb.size(); ++i) {
     const glm::dvec3 variance(variances.rgb[i]);
     const double y = luminance(variance), mean = luminance(glm::dvec3(image.rgb[i]));
     const double size = std::abs(variance.r) + std::abs(variance.g) + std::abs(variance.b);
-    if (!std::isfinite(y) || y < -kRounding * (size + mean * mean)) {
+    if (!std::isfinite(y) || y < -(kRounding * size + kSumRounding * mean * mean)) {
       throw FileError("a variance of luminance is negative or not finite");
     }
     image.luminanceVariance.push_back(static_cast<float>(std::max(0.0, y)));
