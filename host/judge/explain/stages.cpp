@@ -185,10 +185,14 @@ class VertexStage {
   void addLight() {
     if (!device_.light && !reference_.light) return;
     addDecision("light", [](const render::VertexTrace& v) {
-      if (!v.light) return std::string("none");
-      if (v.light->primitive == render::LightTrace::kPointLight) return fmt::format("entry {}", v.light->entry);
-      return fmt::format("entry {}, primitive {}", v.light->entry, v.light->primitive);
+      return v.light ? fmt::format("entry {}", v.light->entry) : "none";
     });
+    const auto position = [&](const std::optional<render::LightTrace>& light) {
+      return light ? lightWords(light->primitive, scene_) : std::string();
+    };
+    Quantity emitter = decision("light at", position(device_.light), position(reference_.light));
+    emitter.differs = emitter.differs && device_.light && reference_.light;
+    add(std::move(emitter));
     addDecision("shadow ray", [](const render::VertexTrace& v) {
       return v.light ? shadowWords(v.light->shadow) : shadowWords(render::ShadowOutcome::notTraced);
     });
@@ -200,12 +204,6 @@ class VertexStage {
 
   void addShadowRay(const std::optional<render::LightTrace>& a, const std::optional<render::LightTrace>& b) {
     if (!a && !b) return;
-    const auto position = [&](const std::optional<render::LightTrace>& light) {
-      return light ? lightWords(light->primitive, scene_) : std::string();
-    };
-    Quantity emitter = decision("light at", position(a), position(b));
-    emitter.differs = emitter.differs && a && b;
-    add(std::move(emitter));
     add(vector("light direction", memberOf(a, &render::LightTrace::direction),
                memberOf(b, &render::LightTrace::direction)));
     add(scalar("light distance", memberOf(a, &render::LightTrace::distance),
