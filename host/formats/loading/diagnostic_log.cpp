@@ -42,8 +42,7 @@ void DiagnosticLog::warn(const std::string& kind, Position position, std::string
   }
 }
 
-void DiagnosticLog::throwIfErrors() const {
-  if (errorCount_ == 0) return;
+std::vector<Diagnostic> DiagnosticLog::errors() const {
   std::vector<Diagnostic> all = errors_;
   sortByPosition(all);
   if (errorCount_ > kShown) {
@@ -51,7 +50,11 @@ void DiagnosticLog::throwIfErrors() const {
     all.push_back(make({}, isFull() ? fmt::format("and at least {} more errors; reading stopped there", more)
                                     : fmt::format("and {} more error{}", more, more == 1 ? "" : "s")));
   }
-  throw SceneError(std::move(all));
+  return all;
+}
+
+void DiagnosticLog::throwIfErrors() const {
+  if (errorCount_ > 0) throw SceneError(errors());
 }
 
 std::vector<Diagnostic> DiagnosticLog::warnings() const {

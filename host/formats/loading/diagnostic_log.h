@@ -28,7 +28,9 @@ class DiagnosticLog {
   std::size_t errorCount() const { return errorCount_; }
   bool isFull() const { return errorCount_ + repeatedCount_ >= kCounted; }
 
-  /// Throws SceneError with the errors in the order of the file, if there are any.
+  /// Returns the errors in the order of the file.
+  std::vector<Diagnostic> errors() const;
+  /// Throws SceneError with these errors, if there are any.
   void throwIfErrors() const;
   /// Returns the warnings in the order of the file.
   std::vector<Diagnostic> warnings() const;

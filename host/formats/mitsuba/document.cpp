@@ -48,11 +48,7 @@ bool Report::isFull() const {
 void Report::throwIfErrors() const {
   std::vector<scene::Diagnostic> all;
   const auto collect = [&](const scene::DiagnosticLog& log) {
-    try {
-      log.throwIfErrors();
-    } catch (const scene::SceneError& error) {
-      all.insert(all.end(), error.diagnostics.begin(), error.diagnostics.end());
-    }
+    for (scene::Diagnostic& error : log.errors()) all.push_back(std::move(error));
   };
   for (const Document& document : documents_) collect(document.log);
   for (const scene::DiagnosticLog& log : logs_) collect(log);

@@ -180,11 +180,7 @@ class Reading {
   void throwErrors() const {
     std::vector<scene::Diagnostic> all;
     const auto collect = [&](const scene::DiagnosticLog& log) {
-      try {
-        log.throwIfErrors();
-      } catch (const scene::SceneError& error) {
-        all.insert(all.end(), error.diagnostics.begin(), error.diagnostics.end());
-      }
+      for (scene::Diagnostic& error : log.errors()) all.push_back(std::move(error));
     };
     collect(log_);
     for (const Library& library : libraries_) collect(library.log);
