@@ -50,6 +50,7 @@
   X(conductors, kHasConductors, 84)                /* some metal has a complex index */                     \
   X(anisotropy, kHasAnisotropy, 83)                /* some surface is rougher in one direction */           \
   X(dispersion, kHasDispersion, 86)                /* some volume has an index for each channel */          \
-  X(plastics, kHasPlastic, 107)                    /* some surface is plastic */
+  X(plastics, kHasPlastic, 107)                    /* some surface is plastic */                            \
+  X(choices, kHasChoices, 110)                     /* some material is a choice between two */
 
 #endif

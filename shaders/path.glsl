@@ -8,6 +8,7 @@
 #include "environment.glsl"
 #include "layers.glsl"
 #include "lights.glsl"
+#include "material_choice.glsl"
 #include "shading.glsl"
 #include "trace.glsl"
 #include "traversal.glsl"
@@ -214,6 +215,7 @@ bool shadeHit(inout Path path, Hit hit, SampleKey key, inout Work work, inout Ra
   decisions.index = hit.index;
   Surface surface = surfaceAt(path.ray, hit);
   if (kHasTextures) surface.jitter = textureJitter(key, path.depth);
+  if (kHasChoices) chooseMaterial(surface, path.ray.direction, materialNumber(key, path.depth));
   Material material = materialAt(surface);
   if (kHasEmission && kHasCoat && material.isSurface) {
     float cosine = abs(dot(surface.outward, path.ray.direction));

@@ -25,6 +25,7 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   if (kView == kViewId) return indexColour(hit.index);
   Surface surface = surfaceAt(ray, hit);
   if (kHasTextures) surface.jitter = textureJitter(key, 1u);
+  if (kHasChoices) chooseMaterial(surface, ray.direction, materialNumber(key, 1u));
   if (kView == kViewAlbedo) return albedo(materialAt(surface));
   if (kHasNormalMaps && kView == kViewNormal && hasTangents(surface)) {
     uint index = surface.kind >> kMaterialShift;

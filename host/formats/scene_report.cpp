@@ -46,7 +46,7 @@ SceneReport::Lights lightsOf(const Scene& scene) {
 SceneReport::Materials materialsOf(const Scene& scene) {
   SceneReport::Materials materials;
   for (const Material& m : scene.materials) {
-    if (isEmissive(m)) ++materials.emitting;
+    if (isEmissive(m) && !m.choice) ++materials.emitting;
     switch (kindOf(m)) {
       case MaterialKind::black:
         ++materials.black;
@@ -69,6 +69,8 @@ SceneReport::Materials materialsOf(const Scene& scene) {
       case MaterialKind::surface:
         ++materials.surface;
         break;
+      case MaterialKind::choice:
+        break;  // its materials are counted
     }
   }
   return materials;

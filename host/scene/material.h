@@ -72,10 +72,24 @@ struct Opacity {
   bool operator==(const Opacity&) const = default;
 };
 
-/// Either `surface` or lobes, at most one of each kind; a material with neither is black. The lobes' weights sum to at
-/// most 1, except for rounding. A mirror lobe is the only lobe of its material.
+/// The two materials of which rays that arrive at a surface see one: docs/light-transport.md section 5.16.
+struct MaterialChoice {
+  std::uint32_t first = 0;  ///< index in Scene::materials
+  std::uint32_t second = 0;
+  /// The probability of the second material, in [0, 1], is this factor times the alpha of the base colour's texture.
+  /// Empty: the first material is that of the front, the second that of the back.
+  std::optional<float> weight{};
+
+  bool operator==(const MaterialChoice&) const = default;
+};
+
+/// Either `surface`, or `choice`, or lobes, at most one of each kind; a material with none of them is black. The lobes'
+/// weights sum to at most 1, except for rounding. A mirror lobe is the only lobe of its material. Of a choice, opacity
+/// and emission are those of the whole surface, and both materials have the same emission. The materials of
+/// a choice by weight may be choices by side, or the other way round, but no more.
 struct Material {
   std::optional<SurfaceParameters> surface;
+  std::optional<MaterialChoice> choice;
   std::optional<DiffuseLobe> diffuse;
   std::optional<GlossyLobe> glossy;
   std::optional<DielectricLobe> dielectric;
@@ -131,7 +145,7 @@ inline const std::optional<TextureReference>& tangentTextureOf(const Material& m
 }
 
 /// The name of a material with one lobe is that of the lobe. `surface`: the material has SurfaceParameters.
-enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture, surface };
+enum class MaterialKind : std::uint8_t { black, diffuse, glossy, dielectric, mirror, mixture, surface, choice };
 
 MaterialKind kindOf(const Material& material);
 

@@ -192,10 +192,28 @@ inline bool isSmooth(const Scene& scene, const Primitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).normals.empty();
 }
 
+/// Returns whether a predicate is true of a material, which is an index, or of one of those between which it is a
+/// choice.
+template <class Predicate>
+bool anyMaterial(const Scene& scene, std::uint32_t material, const Predicate& predicate) {
+  const Material& own = scene.materials[material];
+  return predicate(own) || (own.choice && (anyMaterial(scene, own.choice->first, predicate) ||
+                                           anyMaterial(scene, own.choice->second, predicate)));
+}
+
+/// Returns tangentTextureOf() of a material, which is an index, or of the first one of those between which it is a
+/// choice.
+inline const std::optional<TextureReference>& tangentTextureOf(const Scene& scene, std::uint32_t material) {
+  const auto& choice = scene.materials[material].choice;
+  if (!choice) return tangentTextureOf(scene.materials[material]);
+  const std::optional<TextureReference>& first = tangentTextureOf(scene, choice->first);
+  return first ? first : tangentTextureOf(scene, choice->second);
+}
+
 /// Returns whether the primitive is a triangle whose vertices have tangents, and whose material needs them.
 inline bool hasTangents(const Scene& scene, const Primitive& primitive) {
   return primitive.kind == PrimitiveKind::triangle && !meshOf(scene, primitive).tangents.empty() &&
-         tangentTextureOf(scene.materials[primitive.material]).has_value();
+         tangentTextureOf(scene, primitive.material).has_value();
 }
 
 /// Returns the vertex colours that scale the emission of a primitive; null if there are none.

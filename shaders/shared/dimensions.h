@@ -27,6 +27,7 @@ CANDELA_DIMENSION kDimensionLobe = 3u;
 CANDELA_DIMENSION kDimensionBsdfU = 4u;
 CANDELA_DIMENSION kDimensionBsdfV = 5u;
 CANDELA_DIMENSION kDimensionRoulette = 6u;
+CANDELA_DIMENSION kDimensionMaterial = 7u;  // of materials that are choices
 CANDELA_DIMENSION kVertexDimensionCount = 8u;
 // Offsets of numbers that only some surfaces use (normal maps, dispersion, textures). They lie beyond the blocks of the
 // longest path, so that scenes without such surfaces use no other numbers.

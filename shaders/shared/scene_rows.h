@@ -92,7 +92,11 @@ CANDELA_CONST uint kInstanceRows = 11u;
 // or 0) (colour of the dielectric or mirror lobe, the part of the glossy lobe's colour that base colour textures do not
 // scale). The Whitted tracer stores Kd, Ks, and 1 for glass instead of the weights, the sum of emission and ambient
 // term instead of the emission, and does not use the last record.
+//
+// A material that is a choice has (first material, second material, weight of the second or -1 for a choice by side, 0)
+// as its first record, and kMaterialIsChoice in place of the number of surface parameters.
 CANDELA_CONST uint kMaterialRows = 5u;
+CANDELA_CONST uint kMaterialIsChoice = 0xffffffffu;
 
 // Surface parameters, the records of CANDELA_SURFACE_RECORDS with the lanes that CANDELA_SURFACE_PARAMETERS states, and
 // these: direction.x is the number of the volume that the surface bounds or 0, as a word; direction.z and w are cosine

@@ -91,10 +91,11 @@ struct LargestCoordinate {
 using Classes = std::uint8_t;
 constexpr Classes kEmits = 1, kThinWalled = 2, kBody = 4, kOther = 8;
 
-Classes classOf(const Material& material) {
+Classes classOf(const Scene& scene, std::uint32_t index) {
+  const Material& material = scene.materials[index];
   if (isEmissive(material)) return kEmits;
   if (material.whitted && material.whitted->kind == WhittedKind::glass) return kBody;
-  if (!transmits(material)) return kOther;
+  if (!anyMaterial(scene, index, transmits)) return kOther;
   return material.surface && !material.surface->hasVolume() ? kThinWalled : kBody;
 }
 
@@ -205,7 +206,7 @@ class Marking {
   void noteClasses() {
     classesOfRun_.resize(stored_.count());
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {
-      classesOfRun_[stored_.firstOf(run)] |= classOf(scene_.materials[runs_[run].start.material]);
+      classesOfRun_[stored_.firstOf(run)] |= classOf(scene_, runs_[run].start.material);
     }
     classes_.resize(stored_.count());
     for (std::uint32_t run = 0; run < runs_.size(); ++run) {

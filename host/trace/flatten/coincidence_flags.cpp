@@ -9,7 +9,8 @@ std::uint32_t coincidenceFlags(const scene::Scene& scene, const scene::Primitive
                                render::Integrator integrator) {
   const scene::Material& material = scene.materials[primitive.material];
   std::uint32_t flags = gpu::kFlagCoincident;
-  if (transmits(integrator, material)) flags |= gpu::kFlagTransmits;
+  const auto isCrossed = [&](const scene::Material& m) { return transmits(integrator, m); };
+  if (anyMaterial(scene, primitive.material, isCrossed)) flags |= gpu::kFlagTransmits;
   if (material.surface && !material.surface->hasVolume()) flags |= gpu::kFlagThinWalled;
   return flags;
 }

@@ -35,7 +35,7 @@ void noteRun(const scene::Scene& scene, const scene::PrimitiveRun& run, SceneFea
     features.longCorners |= needsLongCorners(meshOf(scene, primitive));
     features.colours |= !meshOf(scene, primitive).colours.empty();
     features.tangents |= hasTangents(scene, primitive);
-    features.normalMaps |= hasTangents(scene, primitive) && hasNormalMap(scene.materials[primitive.material]);
+    features.normalMaps |= hasTangents(scene, primitive) && anyMaterial(scene, primitive.material, scene::hasNormalMap);
   }
 }
 
@@ -67,6 +67,7 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.mixtures |= material.surface.has_value() ||
                        (lobes.diffuse > 0) + (lobes.glossy > 0) + (lobes.dielectric > 0) > 1;
   features.emission |= ownRadiance(integrator, material) != glm::dvec3(0);
+  features.choices |= material.choice.has_value();
   features.transparency |= material.opacity.has_value();
   for (const auto& texture : material.textures) noteTexture(texture, features);
   if (material.opacity) noteTexture(material.opacity->texture, features);
@@ -80,10 +81,12 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
   std::vector<bool> used(scene.materials.size());
   for (const scene::PrimitiveRun& run : scene.primitives.runs()) {
     noteRun(scene, run, features);
+    if (used[run.start.material]) continue;
     used[run.start.material] = true;
-  }
-  for (std::size_t i = 0; i < used.size(); ++i) {
-    if (used[i]) noteMaterial(scene.materials[i], integrator, features);
+    anyMaterial(scene, run.start.material, [&](const scene::Material& material) {
+      noteMaterial(material, integrator, features);
+      return false;
+    });
   }
   features.deepTexels = features.textures && hasDeepTexels(scene);
   features.sky = scene.sky.has_value();

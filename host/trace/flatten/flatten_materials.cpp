@@ -3,6 +3,13 @@
 #include "host/trace/flatten/lobes.h"
 
 namespace candela::flatten {
+namespace {
+
+gpu::uvec4 rowOf(const scene::MaterialChoice& choice) {
+  return {choice.first, choice.second, floatBits(double{choice.weight.value_or(-1.0f)}), 0};
+}
+
+}  // namespace
 
 void appendMaterials(const scene::Scene& scene, render::Integrator integrator, const SurfaceOrder& order,
                      FlatScene& flat) {
@@ -10,11 +17,11 @@ void appendMaterials(const scene::Scene& scene, render::Integrator integrator, c
   for (std::size_t i = 0; i < scene.materials.size(); ++i) {
     const scene::Material& material = scene.materials[i];
     const Lobes lobes = lobesFor(integrator, material);
-    flat.rows.push_back(row(lobes.diffuseColour, lobes.diffuse));
+    flat.rows.push_back(material.choice ? rowOf(*material.choice) : row(lobes.diffuseColour, lobes.diffuse));
     flat.rows.push_back(row(lobes.glossyColour, lobes.glossy));
     flat.rows.push_back(row(ownRadiance(integrator, material), lobes.dielectric));
-    flat.rows.push_back(
-        {floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0), order.numbers[i]});
+    flat.rows.push_back({floatBits(lobes.exponent), floatBits(lobes.ior), floatBits(lobes.mirror ? 1 : 0),
+                         material.choice ? gpu::kMaterialIsChoice : order.numbers[i]});
     flat.rows.push_back(row(lobes.specularColour, 0.0));
   }
 }

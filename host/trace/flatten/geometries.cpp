@@ -48,10 +48,11 @@ std::array<std::uint32_t, 2> packedCorners(const std::uint32_t* vertices) {
 }  // namespace
 
 bool hasSecondTexCoords(const scene::Scene& scene, const scene::Primitive& triangle) {
-  const scene::Material& material = scene.materials[triangle.material];
-  return !meshOf(scene, triangle).texCoords[1].empty() &&
-         (std::ranges::any_of(material.textures, readsSecondSet) ||
-          (material.opacity && readsSecondSet(material.opacity->texture)));
+  const auto reads = [](const scene::Material& material) {
+    return std::ranges::any_of(material.textures, readsSecondSet) ||
+           (material.opacity && readsSecondSet(material.opacity->texture));
+  };
+  return !meshOf(scene, triangle).texCoords[1].empty() && anyMaterial(scene, triangle.material, reads);
 }
 
 bool isIndexed(const scene::Mesh& mesh) { return 3 * mesh.positions.size() < 2 * mesh.indices.size(); }
@@ -59,7 +60,8 @@ bool isIndexed(const scene::Mesh& mesh) { return 3 * mesh.positions.size() < 2 *
 std::uint32_t Geometries::attributeFlags(const scene::Primitive& triangle) const {
   const scene::Material& material = scene_->materials[triangle.material];
   const scene::Mesh& mesh = meshOf(*scene_, triangle);
-  const bool hasTexture = isTextured(material) || (material.opacity && material.opacity->texture);
+  const bool hasTexture = anyMaterial(*scene_, triangle.material, scene::isTextured) ||
+                          (material.opacity && material.opacity->texture);
   const bool isMapped = hasTexture || (keepsTexCoords_ && !mesh.texCoords[0].empty());
   return (isSmooth(*scene_, triangle) ? gpu::kGeometryNormals : 0) | (isMapped ? gpu::kGeometryTexCoords : 0) |
          (hasSecondTexCoords(*scene_, triangle) ? gpu::kGeometrySecondTexCoords : 0) |

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host/trace/reference/anisotropy.h"
+#include "host/trace/reference/material_choice.h"
 #include "host/trace/reference/path_notes.h"
 #include "host/trace/reference/reflectance.h"
 #include "host/trace/reference/shading.h"
@@ -175,6 +176,7 @@ Surface PathTracer::surfaceAt(const Path& path, const Hit& hit) const {
   Surface surface = path.arithmetic.surfaceAt(scene(), path.ray, hit);
   jitterTextures(surface, path.numbers, path.depth);
   path.arithmetic.decide(surface.fromOutside);
+  chooseMaterial({scene(), path.arithmetic}, path.u(), surface);
   return surface;
 }
 

@@ -226,12 +226,13 @@ Tracing::Item Tracing::madeItem(const scene::Primitive& primitive, std::uint32_t
   const scene::Material& material = scene_->materials[primitive.material];
   const bool thinWalled = material.surface && !material.surface->hasVolume();
   const bool whitted = settings_.image.integrator == render::Integrator::whitted;
+  const auto isCrossed = [&](const scene::Material& m) { return transmits(m, whitted); };
   const bool emits = isEmissive(material);
   return {preparedShape(*scene_, primitive),
           settings_.image.oneSided && material.opaque,
           isTransparent(*scene_, primitive),
           emits,
-          transmits(material, whitted),
+          anyMaterial(*scene_, primitive.material, isCrossed),
           thinWalled,
           !ordered_.empty() && ordered_[stored_->indexOf(index)] && !emits,
           primitive.material,

@@ -40,6 +40,7 @@ struct VertexNumbers {
   double layer() const { return numbers.unit(block + kDimensionLayer); }
   double coatFacet() const { return numbers.unit(block + kDimensionCoatFacet); }
   double channel() const { return numbers.unit(block + kDimensionChannel); }
+  double material() const { return numbers.unit(block + kDimensionMaterial); }
   double roulette() const { return numbers.unit(block + kDimensionRoulette); }
 };
 

@@ -1,6 +1,7 @@
 // Traces one camera ray per sample, and one more for ambient occlusion.
 #include "host/trace/reference/views.h"
 
+#include "host/trace/reference/material_choice.h"
 #include "host/trace/reference/normal_map.h"
 #include "host/trace/reference/sampling.h"
 #include "shaders/shared/dimensions.h"
@@ -53,6 +54,7 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleState& state) const {
   } else if (hit) {
     Surface surface = arithmetic.surfaceAt(scene(), tested, hit);
     jitterTextures(surface, numbers, 1);
+    chooseMaterial({scene(), arithmetic}, VertexNumbers(numbers, 1), surface);
     if (view_ == render::Integrator::normal) {
       applyNormalMap({scene(), arithmetic}, scene::TextureSlot::normal, surface);
     }
