@@ -27,11 +27,11 @@ constexpr std::array<std::string_view, 15> kOtherBsdfs{"hair",      "measured", 
                                                        "pplastic",  "principledthin", "phong",
                                                        "ward",      "irawan",         "difftrans",
                                                        "hk",        "mixturebsdf",    "roughcoating"};
-constexpr std::array<std::string_view, 3> kNestingBsdfs{"bumpmap", "blendbsdf", "coating"};
-constexpr std::array<std::string_view, 13> kRenderedBsdfs{
-    "diffuse", "dielectric",   "thindielectric", "roughdielectric", "conductor", "roughconductor",
-    "plastic", "roughplastic", "principled",     "twosided",        "mask",      "normalmap",
-    "null"};
+constexpr std::array<std::string_view, 2> kNestingBsdfs{"bumpmap", "coating"};
+constexpr std::array<std::string_view, 14> kRenderedBsdfs{
+    "diffuse",   "dielectric",   "thindielectric", "roughdielectric", "conductor", "roughconductor",
+    "plastic",   "roughplastic", "principled",     "twosided",        "mask",      "normalmap",
+    "blendbsdf", "null"};
 
 void set(scene::Material& material, TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
   material.textures[static_cast<std::size_t>(slot)] = texture;
@@ -88,6 +88,7 @@ Bsdf Bsdfs::make(const Object& bsdf, int depth) {
     if (type == "plastic" || type == "roughplastic") return plastic(bsdf, type == "roughplastic");
     if (type == "principled") return principled(bsdf);
     if (type == "twosided") return twoSided(bsdf, depth);
+    if (type == "blendbsdf") return blend(bsdf, depth);
     if (type == "mask") return mask(bsdf, depth);
     if (type == "normalmap") return normalMap(bsdf, depth);
     if (type == "null") return {.isInvisible = true, .isTwoSided = true};
@@ -96,7 +97,7 @@ Bsdf Bsdfs::make(const Object& bsdf, int depth) {
     throw PlacedError{bsdf.place, fmt::format("unknown BSDF {}{}", quote(type), suggestionFor(type, kRenderedBsdfs))};
   };
   Bsdf result = dispatch();
-  result.material.opaque = !result.isTwoSided;
+  forEachLeaf(result, [](Bsdf& leaf) { leaf.material.opaque = !leaf.isTwoSided; });
   bsdf.reportUnused(report_);
   return result;
 }
@@ -322,11 +323,60 @@ Bsdf Bsdfs::twoSided(const Object& bsdf, int depth) {
   const std::vector<const Object*> children = bsdf.nested("bsdf");
   bsdf.ignore({"allow_transmission"}, report_);
   if (children.size() > 2) throw PlacedError{children[2]->place, "a BSDF \"twosided\" has at most two nested BSDFs"};
-  if (children.size() == 2 && children[0] != children[1]) {
-    report_.deviate(children[1]->place, "both sides of a surface have the same BSDF", "takes the first one");
-  }
   Bsdf result = nested(bsdf, depth);
-  result.isTwoSided = true;
+  if (children.size() == 2 && children[0] != children[1]) {
+    Bsdf sides{.choices = {result, make(*children[1], depth + 1)}};
+    const auto isBySide = [](const Bsdf& side) { return !side.choices.empty() && !side.weight; };
+    if (std::ranges::any_of(sides.choices, &Bsdf::isInvisible) || std::ranges::any_of(sides.choices, isBySide)) {
+      report_.deviate(children[1]->place, "a side of a surface that is \"null\" or two-sided itself is not rendered",
+                      "gives both sides the first BSDF");
+    } else {
+      result = std::move(sides);
+    }
+  }
+  forEachLeaf(result, [](Bsdf& leaf) { leaf.isTwoSided = true; });
+  return result;
+}
+
+Bsdf Bsdfs::blended(const Object& bsdf, int depth) {
+  Bsdf result = make(bsdf, depth + 1);
+  if (result.weight) {
+    report_.deviate(bsdf.place, "a blend in a blend is not rendered", "renders its first nested BSDF");
+    result = result.choices.front();
+  }
+  if (result.material.opacity) {
+    report_.deviate(bsdf.place, "a BSDF \"mask\" in a blend is not rendered", "renders the BSDF in it");
+    result.material.opacity.reset();
+  }
+  return result;
+}
+
+Bsdf Bsdfs::blend(const Object& bsdf, int depth) {
+  const std::vector<const Object*> children = bsdf.nested("bsdf");
+  if (children.size() != 2) throw PlacedError{bsdf.place, "a BSDF \"blendbsdf\" has two nested BSDFs"};
+  if (!bsdf.has("weight")) throw PlacedError{bsdf.place, "a BSDF \"blendbsdf\" has no \"weight\""};
+  const Texture weight = textures_.read(bsdf, "weight", 0.5, ColourUse::unbounded, Encoding::alpha);
+  const auto factor = static_cast<float>(std::clamp(weight.factor.x, 0.0, 1.0));
+  Bsdf first = blended(*children[0], depth), second = blended(*children[1], depth);
+  if (first.isInvisible && second.isInvisible) return first;
+  if (first.isInvisible) {
+    second.material.opacity = scene::Opacity{.factor = factor, .texture = weight.reference};
+    return second;
+  }
+  if (second.isInvisible && !weight.reference) {
+    first.material.opacity = scene::Opacity{.factor = 1 - factor};
+    return first;
+  }
+  if (second.isInvisible) {
+    report_.deviate(bsdf.place, "a blend by a texture with \"null\" as the second BSDF is not rendered",
+                    "renders the first nested BSDF");
+    return first;
+  }
+  if (first.usesVertexColours != second.usesVertexColours) {
+    report_.deviate(bsdf.place, "vertex colours of only one BSDF of a blend are not rendered", "colours both BSDFs");
+  }
+  Bsdf result{.choices = {std::move(first), std::move(second)}, .weight = factor};
+  set(result.material, TextureSlot::baseColour, weight.reference);
   return result;
 }
 
@@ -346,8 +396,10 @@ Bsdf Bsdfs::normalMap(const Object& bsdf, int depth) {
   bsdf.ignore({"flip_invalid_normals", "use_shadowing_function"}, report_);
   const Texture map = textures_.read(bsdf, "normalmap", 1, ColourUse::unbounded, Encoding::linear);
   if (result.isInvisible || !map.reference) return result;
-  makeSurface(result.material);
-  set(result.material, TextureSlot::normal, map.reference);
+  forEachLeaf(result, [&](Bsdf& leaf) {
+    makeSurface(leaf.material);
+    set(leaf.material, TextureSlot::normal, map.reference);
+  });
   return result;
 }
 

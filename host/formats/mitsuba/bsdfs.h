@@ -2,7 +2,9 @@
 #pragma once
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <tuple>
+#include <vector>
 
 #include "host/formats/mitsuba/textures.h"
 #include "host/scene/material.h"
@@ -11,11 +13,22 @@
 namespace candela::mitsuba {
 
 struct Bsdf {
-  scene::Material material{};      ///< without emission
+  /// Without emission. If `choices` are not empty, it has but the opacity of the surface and the texture of the weight.
+  scene::Material material{};
+  /// Two BSDFs, between which rays choose by `weight`, or by side without one.
+  std::vector<Bsdf> choices{};
+  std::optional<float> weight{};
   bool isInvisible = false;        ///< "null": light passes the surface as if it were not there
-  bool isTwoSided = false;         ///< both sides scatter light alike, as everywhere in Candela
+  bool isTwoSided = false;         ///< both sides scatter light alike; else the back is black. Not of `choices`
   bool usesVertexColours = false;  ///< the colours of a mesh, without which it is white, scale those of the material
 };
+
+/// Calls `visit` with each BSDF that is no choice between others.
+template <class Visit>
+void forEachLeaf(Bsdf& bsdf, const Visit& visit) {
+  if (bsdf.choices.empty()) visit(bsdf);
+  for (Bsdf& choice : bsdf.choices) forEachLeaf(choice, visit);
+}
 
 /// Reads BSDFs, each once. Those that are not rendered are errors, or with `--lenient` replaced by others.
 class Bsdfs {
@@ -39,6 +52,8 @@ class Bsdfs {
                                   bool isNonlinear);
   Bsdf principled(const Object& bsdf);
   Bsdf twoSided(const Object& bsdf, int depth);
+  Bsdf blend(const Object& bsdf, int depth);
+  Bsdf blended(const Object& bsdf, int depth);
   Bsdf mask(const Object& bsdf, int depth);
   Bsdf normalMap(const Object& bsdf, int depth);
   Bsdf replaced(const Object& bsdf, const char* by, int depth);

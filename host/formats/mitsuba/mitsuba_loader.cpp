@@ -118,8 +118,6 @@ class SceneAssembly {
     scene::warnOfExtent(bounds, wholeLog_);
     scene::warnOfShadows(scene_, wholeLog_);
     if (!scene_.environment) scene::checkScene(scene_, options_, wholeLog_);
-    if (shapes_.hasOneSided())
-      facts_.emplace_back("one-sided", "backs of surfaces look like their fronts; in Mitsuba they are black");
     if (!report_.ignored().empty())
       facts_.emplace_back("not used", fmt::format("{}", fmt::join(report_.ignored(), ", ")));
     scene_.name = std::filesystem::path(file_.name).filename().string();

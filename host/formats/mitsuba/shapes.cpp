@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "host/base/errors.h"
 #include "host/base/hash.h"
@@ -136,25 +137,49 @@ std::uint32_t Shapes::addMaterial(const Object* bsdf, const Object* emitter, con
   } else if (!emitter) {
     surface.material.diffuse = scene::DiffuseLobe{.colour = glm::vec3(0.5f)};
   }
-  scene::Material& material = surface.material;
   look.isInvisible = surface.isInvisible;
+  Texture emission{glm::dvec3(0)};
   if (emitter) {
     if (surface.isInvisible) throw PlacedError{emitter->place, "a surface with the BSDF \"null\" does not emit light"};
-    const Texture emission = areaEmission(*emitter, textures_, report_);
+    emission = areaEmission(*emitter, textures_, report_);
+    look.emits = emission.factor != glm::dvec3(0);
+  }
+  forEachLeaf(surface, [&](const Bsdf& leaf) { look.usesVertexColours |= leaf.usesVertexColours; });
+  const Object* const named = bsdf && !bsdf->id.empty() ? bsdf : &shape;
+  const std::string name = named->id.empty() ? fmt::format("material.{}", materialCount_) : named->id;
+  ++materialCount_;
+  const std::uint32_t index = storeMaterial(surface, emission, name.substr(0, kMaxIdLength));
+  const auto needsTriangles = [](const scene::Material& material) {
+    return isTextured(material) || material.opacity || tangentTextureOf(material).has_value();
+  };
+  look.needsTriangles = anyMaterial(scene_, index, needsTriangles);
+  look.transmits = anyMaterial(scene_, index, scene::transmits);
+  return index;
+}
+
+/// Stores the material of a BSDF, and those between which it is a choice. The backs of one-sided BSDFs are black; those
+/// of emitters are covered by other surfaces.
+std::uint32_t Shapes::storeMaterial(const Bsdf& bsdf, const Texture& emission, const std::string& name) {
+  const auto store = [&](scene::Material material) {
     material.emission = glm::vec3(emission.factor);
     material.textures[static_cast<std::size_t>(scene::TextureSlot::emission)] = emission.reference;
-    look.emits = isEmissive(material);
+    scene_.materials.push_back(std::move(material));
+    scene_.materialNames.push_back(name);
+    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+  };
+  scene::Material material = bsdf.material;
+  if (!bsdf.choices.empty()) {
+    const std::uint32_t first = storeMaterial(bsdf.choices[0], emission, name + ".first");
+    const std::uint32_t second = storeMaterial(bsdf.choices[1], emission, name + ".second");
+    material.choice = scene::MaterialChoice{first, second, bsdf.weight};
+    return store(std::move(material));
   }
-  const bool isVisible = !surface.isInvisible && !look.emits && kindOf(material) != scene::MaterialKind::black;
-  if (isVisible && !surface.isTwoSided) hasOneSided_ = true;
-  look.needsTriangles = isTextured(material) || material.opacity || tangentTextureOf(material).has_value();
-  look.transmits = transmits(material);
-  look.usesVertexColours = surface.usesVertexColours;
-  scene_.materials.push_back(material);
-  const Object* const named = bsdf && !bsdf->id.empty() ? bsdf : &shape;
-  scene_.materialNames.push_back(named->id.empty() ? fmt::format("material.{}", scene_.materials.size() - 1)
-                                                   : named->id.substr(0, kMaxIdLength));
-  return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+  const bool isBlack = kindOf(material) == scene::MaterialKind::black;
+  if (bsdf.isTwoSided || isBlack || emission.factor != glm::dvec3(0)) return store(std::move(material));
+  scene::Material sides;
+  sides.opacity = std::exchange(material.opacity, std::nullopt);
+  sides.choice = scene::MaterialChoice{store(std::move(material)), blackMaterial()};
+  return store(std::move(sides));
 }
 
 glm::dmat4 Shapes::ownMap(const Object& shape) const {
@@ -228,7 +253,7 @@ std::uint32_t Shapes::blackMaterial() {
     scene::Material black;
     black.opaque = false;  // --one-sided shows both sides
     scene_.materials.push_back(black);
-    scene_.materialNames.emplace_back("back of emitters");
+    scene_.materialNames.emplace_back("black back");
   }
   return *black_;
 }
@@ -247,8 +272,7 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
     shape.ignore({"vertex_merging"}, report_);
   }
   if (look.isInvisible) return nullptr;
-  const scene::Material& material = scene_.materials[look.material];
-  const auto& tangentTexture = tangentTextureOf(material);
+  const auto& tangentTexture = tangentTextureOf(scene_, look.material);
   std::string key = fmt::format("{} {} {} {} {} ", shape.type, hasFaceNormals, flipsTexCoords, isFlipped,
                                 look.usesVertexColours);
   if (tangentTexture) {
@@ -305,10 +329,9 @@ scene::Mesh Shapes::readFile(const Object& shape, const std::filesystem::path& p
 
 /// Leaves out the attributes that the material does not use, and adds tangents.
 void Shapes::finish(scene::Mesh& mesh, const Look& look) const {
-  const scene::Material& material = scene_.materials[look.material];
   if (!look.usesVertexColours) mesh.colours.clear();
   for (glm::vec4& colour : mesh.colours) colour.w = 1;
-  const auto& tangentTexture = tangentTextureOf(material);
+  const auto& tangentTexture = tangentTextureOf(scene_, look.material);
   if (!tangentTexture || mesh.texCoords[0].empty()) return;
   scene::addMikkTangents(mesh, *tangentTexture);
   for (glm::vec4& tangent : mesh.tangents) tangent.w = 1;  // Mitsuba's second tangent is cross(normal, tangent)

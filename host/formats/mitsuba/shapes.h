@@ -31,8 +31,6 @@ class Shapes {
 
   /// Continues `hash` over the bytes of all files that were read.
   std::uint64_t hashFiles(std::uint64_t hash) const;
-  /// Returns whether a material shows its back like its front, which Mitsuba shows black.
-  bool hasOneSided() const { return hasOneSided_; }
 
  private:
   /// The material of a shape and what it needs.
@@ -55,6 +53,7 @@ class Shapes {
   void addLeaf(const Object& shape, const glm::dmat4& map, bool isInstance);
   Look lookOf(const Object& shape, bool isInstance);
   std::uint32_t addMaterial(const Object* bsdf, const Object* emitter, const Object& shape, Look& look);
+  std::uint32_t storeMaterial(const Bsdf& bsdf, const Texture& emission, const std::string& name);
   bool addRound(const Object& shape, const glm::dmat4& map, const Look& look);
   void addSphere(const Object& shape, const glm::dmat4& map, bool isFlipped, const Look& look);
   void addCylinder(const Object& shape, const glm::dmat4& map, bool isFlipped, const Look& look);
@@ -80,8 +79,7 @@ class Shapes {
   std::map<std::string, std::optional<StoredMesh>> meshes_{};            ///< empty: the file cannot be read
   std::optional<std::uint32_t> black_{};
   std::vector<std::uint64_t> hashes_{};
-  std::uint64_t byteCount_ = 0, triangleCount_ = 0, shapeCount_ = 0;
-  bool hasOneSided_ = false;
+  std::uint64_t byteCount_ = 0, triangleCount_ = 0, shapeCount_ = 0, materialCount_ = 0;
 };
 
 }  // namespace candela::mitsuba

@@ -40,6 +40,8 @@ const char* materialWord(const scene::Material& material) {
       return "mirror";
     case scene::MaterialKind::surface:
       return "surface";
+    case scene::MaterialKind::choice:
+      return "choice";
     case scene::MaterialKind::mixture:
       break;
   }

@@ -48,15 +48,92 @@ scene::TextureReference referenceIn(const scene::Scene& scene, TextureSlot slot)
 
 }  // namespace
 
-TEST_CASE("A diffuse BSDF is one-sided, and twosided makes it two-sided") {
-  const scene::Material one = materialOf(R"(<bsdf type="diffuse"/>)");
-  CHECK(one.diffuse == scene::DiffuseLobe{.colour = glm::vec3(0.5f)});
-  CHECK(one.opaque);
-  const scene::Material two = materialOf(R"(<bsdf type="twosided"><bsdf type="diffuse"/></bsdf>)");
-  CHECK(two.diffuse == one.diffuse);
-  CHECK_FALSE(two.opaque);
-  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="twosided"><bsdf type="diffuse"/><bsdf type="conductor"/></bsdf>)"))
-            .find("2:69: both sides of a surface have the same BSDF") != std::string::npos);
+/// The material of a rectangle with this BSDF, and the scene with those between which it is a choice.
+struct WholeMaterial {
+  scene::Scene scene;
+
+  explicit WholeMaterial(const std::string& bsdf) : scene(xmlSceneOf(withBsdf(bsdf))) {}
+  const scene::Material& own() const { return scene.materials.at(scene.primitives[0].material); }
+  const scene::Material& first() const { return scene.materials.at(own().choice.value().first); }
+  const scene::Material& second() const { return scene.materials.at(own().choice.value().second); }
+};
+
+TEST_CASE("A diffuse BSDF is black from behind, and twosided makes it two-sided") {
+  const WholeMaterial one(R"(<bsdf type="diffuse"/>)");
+  REQUIRE(one.own().choice);
+  CHECK_FALSE(one.own().choice->weight);
+  CHECK(one.first().diffuse == scene::DiffuseLobe{.colour = glm::vec3(0.5f)});
+  CHECK(kindOf(one.second()) == scene::MaterialKind::black);
+  CHECK(one.first().opaque);
+  const WholeMaterial two(R"(<bsdf type="twosided"><bsdf type="diffuse"/></bsdf>)");
+  CHECK(two.own().diffuse == one.first().diffuse);
+  CHECK_FALSE(two.own().opaque);
+  for (const char* const type : {"dielectric", "thindielectric", "null"}) {
+    for (const scene::Material& material : xmlSceneOf(withBsdf(fmt::format(R"(<bsdf type="{}"/>)", type))).materials)
+      CHECK_FALSE(material.choice);
+  }
+}
+
+TEST_CASE("The sides of a surface may have different BSDFs") {
+  const WholeMaterial sides(
+      R"(<bsdf type="twosided"><bsdf type="diffuse"><rgb name="reflectance" value="1 0 0"/></bsdf>
+<bsdf type="diffuse"><rgb name="reflectance" value="0 1 0"/></bsdf></bsdf>)");
+  REQUIRE(sides.own().choice);
+  CHECK_FALSE(sides.own().choice->weight);
+  CHECK(sides.first().diffuse->colour == glm::vec3(1, 0, 0));
+  CHECK(sides.second().diffuse->colour == glm::vec3(0, 1, 0));
+  CHECK_FALSE(sides.second().opaque);
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="twosided"><bsdf type="diffuse"/><bsdf type="null"/></bsdf>)"))
+            .find("2:69: a side of a surface that is \"null\"") != std::string::npos);
+}
+
+TEST_CASE("A blend is a choice by weight between its BSDFs") {
+  const auto blend = [](const std::string& weight, const std::string& first, const std::string& second) {
+    return fmt::format(R"(<bsdf type="blendbsdf"><float name="weight" value="{}"/>{}{}</bsdf>)", weight, first, second);
+  };
+  const std::string red = R"(<bsdf type="diffuse"><rgb name="reflectance" value="1 0 0"/></bsdf>)";
+  const std::string mirror = R"(<bsdf type="conductor"/>)", none = R"(<bsdf type="null"/>)";
+  const WholeMaterial both("<bsdf type=\"twosided\">" + blend("0.25", red, mirror) + "</bsdf>");
+  REQUIRE(both.own().choice);
+  CHECK(both.own().choice->weight == 0.25f);
+  CHECK(both.first().diffuse->colour == glm::vec3(1, 0, 0));
+  CHECK_FALSE(both.second().diffuse);
+
+  const WholeMaterial oneSided(blend("0.25", red, mirror));
+  REQUIRE(oneSided.first().choice);
+  CHECK_FALSE(oneSided.first().choice->weight);
+  CHECK(oneSided.scene.materials[oneSided.first().choice->first].diffuse->colour == glm::vec3(1, 0, 0));
+
+  const scene::Material veil = materialOf(blend("0.25", none, red)), rest = materialOf(blend("0.25", red, none));
+  CHECK(veil.opacity->factor == 0.25f);
+  CHECK(veil.diffuse);
+  CHECK(rest.opacity->factor == 0.75f);
+  CHECK(xmlErrorsOf(withBsdf(blend("0.25", blend("0.5", red, mirror), red))).find("a blend in a blend") !=
+        std::string::npos);
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="blendbsdf"><float name="weight" value="1"/></bsdf>)"))
+            .find("has two nested BSDFs") != std::string::npos);
+  CHECK(xmlErrorsOf(withBsdf("<bsdf type=\"blendbsdf\">" + red + mirror + "</bsdf>")).find("has no \"weight\"") !=
+        std::string::npos);
+}
+
+TEST_CASE("Both BSDFs of a blend emit, and have its normal map") {
+  const Picture picture;
+  const scene::Scene scene = picture.sceneOf(
+      "<shape type=\"rectangle\"><bsdf type=\"normalmap\">" +
+      bitmap("normalmap", "<boolean name=\"raw\" value=\"true\"/>") + R"(<bsdf type="blendbsdf">)" + bitmap("weight") +
+      R"(<bsdf type="diffuse"/><bsdf type="plastic"/></bsdf></bsdf><emitter type="area"/></shape>)");
+  const auto last = static_cast<std::uint32_t>(scene.primitives.size() - 1);  // the back of the emitter precedes it
+  const scene::Material& own = scene.materials.at(scene.primitives[last].material);
+  REQUIRE(own.choice);
+  CHECK(own.choice->weight == 1.0f);
+  REQUIRE(textureOf(own, TextureSlot::baseColour));
+  CHECK_FALSE(textureOf(own, TextureSlot::normal));
+  CHECK(isEmissive(own));
+  for (const std::uint32_t i : {own.choice->first, own.choice->second}) {
+    CHECK(scene.materials[i].emission == own.emission);
+    CHECK(textureOf(scene.materials[i], TextureSlot::normal));
+  }
+  CHECK(hasTangents(scene, scene.primitives[last]));
 }
 
 TEST_CASE("Dielectrics have the ratio of their indices of refraction") {

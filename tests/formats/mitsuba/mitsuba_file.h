@@ -42,9 +42,18 @@ inline std::string xmlErrorsOf(const std::string& content, const scene::LoadOpti
 /// A rectangle with this BSDF.
 inline std::string withBsdf(const std::string& bsdf) { return "<shape type=\"rectangle\">" + bsdf + "</shape>"; }
 
-/// The material of a rectangle with this BSDF.
+/// The material of a primitive, that of its front if its back has another, with the opacity of both.
+inline scene::Material frontOf(const scene::Scene& scene, std::size_t primitive = 0) {
+  const scene::Material& own = scene.materials.at(scene.primitives[primitive].material);
+  if (!own.choice || own.choice->weight) return own;
+  scene::Material front = scene.materials.at(own.choice->first);
+  front.opacity = own.opacity;
+  return front;
+}
+
+/// The front of a rectangle with this BSDF.
 inline scene::Material materialOf(const std::string& bsdf, const std::string& version = "3.0.0") {
-  return xmlSceneOf(withBsdf(bsdf), version).materials.at(0);
+  return frontOf(xmlSceneOf(withBsdf(bsdf), version));
 }
 
 inline bool near(const glm::vec3& a, const glm::dvec3& b, double tolerance = 1e-6) {

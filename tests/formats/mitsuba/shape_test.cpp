@@ -20,8 +20,9 @@ std::string transform(const std::string& operations) {
   return "<transform name=\"to_world\">" + operations + "</transform>";
 }
 
-/// The area of the triangles of a scene with a material, and their mean normal.
-std::pair<double, glm::dvec3> areaOf(const scene::Scene& scene, std::uint32_t material = 0) {
+/// The area of the triangles of a scene with a material, by default that of the first one, and their mean normal.
+std::pair<double, glm::dvec3> areaOf(const scene::Scene& scene, std::optional<std::uint32_t> wanted = {}) {
+  const std::uint32_t material = wanted.value_or(scene.primitives[0].material);
   double area = 0;
   glm::dvec3 normal(0);
   for (const scene::Primitive& primitive : scene.primitives) {
