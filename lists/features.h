@@ -51,6 +51,7 @@
   X(anisotropy, kHasAnisotropy, 83)                /* some surface is rougher in one direction */           \
   X(dispersion, kHasDispersion, 86)                /* some volume has an index for each channel */          \
   X(plastics, kHasPlastic, 107)                    /* some surface is plastic */                            \
-  X(choices, kHasChoices, 110)                     /* some material is a choice between two */
+  X(choices, kHasChoices, 110)                     /* some material is a choice between two */              \
+  X(bumpMaps, kHasBumpMaps, 111)                   /* some normal map has heights */
 
 #endif

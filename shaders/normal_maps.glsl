@@ -3,6 +3,7 @@
 #ifndef CANDELA_NORMAL_MAPS_GLSL
 #define CANDELA_NORMAL_MAPS_GLSL
 #include "bsdf.glsl"
+#include "bump_maps.glsl"
 #include "material.glsl"
 
 // The facets of a normal map around one direction.
@@ -21,18 +22,25 @@ bool hasTangents(Surface surface) {
   return (surface.attributes & needed) == needed;
 }
 
-// Replaces the shading normal of such a surface by that of the normal map that `reference` selects, unless it is 0.
-void mapNormal(inout Surface surface, uint reference, float scale) {
-  if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
+// Returns the direction of the texel that `reference` selects, of any length.
+vec3 directionOfTexel(Surface surface, uint reference, float scale) {
   uvec2 texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
   vec3 direction = 2.0 * vec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0;
   vec3 bitangent = surface.tangent.w * cross(surface.shading, surface.tangent.xyz);
-  vec3 sum = scale * (direction.x * surface.tangent.xyz + direction.y * bitangent) + direction.z * surface.shading;
+  return scale * (direction.x * surface.tangent.xyz + direction.y * bitangent) + direction.z * surface.shading;
+}
+
+// Replaces the shading normal of such a surface by that of the normal map that `reference` selects, unless it is 0.
+// `flags`: kNormalMap...
+void mapNormal(inout Surface surface, uint reference, float scale, uint flags) {
+  if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
+  bool hasHeights = kHasBumpMaps && (flags & kNormalMapHeights) != 0u;
+  vec3 sum = hasHeights ? bumpedNormal(surface, reference, scale) : directionOfTexel(surface, reference, scale);
   float squared = dot(sum, sum);
   if (squared == 0.0) return;
   vec3 mapped = sum * (1.0 / sqrt(squared));
   surface.shading = dot(mapped, surface.outward) < 0.0 ? mirroredAt(surface.outward, mapped) : mapped;
-  surface.isMapped = true;
+  surface.isMapped = (flags & kNormalMapWithoutFacets) == 0u;
 }
 
 // Returns the direction by which the facet sees the ray from wo: wo, or its reflection in a facet that is perpendicular to

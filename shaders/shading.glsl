@@ -47,10 +47,11 @@ void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey
   uint coat = kHasCoat ? textureOf(index, kSlotCoatNormal) : 0u;
   if (!hasTangents(surface) || (base | coat) == 0u) return;
   vec4 numbers = facetNumbers(key, depth);
-  vec2 scales = sceneRowFloat(materialTextureRow(index) + kScaleRow).xy;
+  uvec4 scaleRow = sceneRow(materialTextureRow(index) + kScaleRow);
+  vec2 scales = uintBitsToFloat(scaleRow.xy);
   if (kHasCoat && material.surface.coatWeight > 0.0) {
     Surface coated = surface;
-    mapNormal(coated, coat, scales.y);
+    mapNormal(coated, coat, scales.y, scaleRow.z & kNormalMapWithoutFacets);
     coated.facet = numbers.z;
     material.surface.isCoatAlone =
         numbers.y < coatReflectance(material.surface.coatWeight, shadingAt(coated, wo).wo.z);
@@ -60,7 +61,7 @@ void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey
     }
     material.surface.coatWeight = 0.0;
   }
-  mapNormal(surface, base, scales.x);
+  mapNormal(surface, base, scales.x, scaleRow.z);
   surface.facet = numbers.x;
 }
 

@@ -29,7 +29,8 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   if (kView == kViewAlbedo) return albedo(materialAt(surface));
   if (kHasNormalMaps && kView == kViewNormal && hasTangents(surface)) {
     uint index = surface.kind >> kMaterialShift;
-    mapNormal(surface, textureOf(index, kSlotNormal), sceneRowFloat(materialTextureRow(index) + kScaleRow).x);
+    uvec4 scales = sceneRow(materialTextureRow(index) + kScaleRow);
+    mapNormal(surface, textureOf(index, kSlotNormal), uintBitsToFloat(scales.x), scales.z);
   }
   Normals normals = normalsTowards(surface, -ray.direction);
   if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));

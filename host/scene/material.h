@@ -100,7 +100,11 @@ struct Material {
   std::optional<WhittedMaterial> whitted;  ///< empty: the Whitted tracer cannot show the material
   /// By TextureSlot. The base colour scales the colours of all lobes, emission the emission.
   std::array<std::optional<TextureReference>, kTextureSlotCount> textures{};
-  float normalScale = 1;             ///< factor of the first two components of the normal map's directions
+  float normalScale = 1;  ///< factor of the first two components of the normal map's directions
+  /// The normal map is a bump map: the red of its texels times normalScale is a height, in units of the scene.
+  bool hasHeights = false;
+  /// Facets close the surface that normal maps tilt, so that no light is lost; else normals are simply replaced.
+  bool hasFacets = true;
   float coatNormalScale = 1;         ///< of those of the coat's normal map
   std::optional<Opacity> opacity{};  ///< empty: every ray hits; only triangles have one
 

@@ -101,10 +101,9 @@ CANDELA_CONST uint kMaterialIsChoice = 0xffffffffu;
 // Surface parameters, the records of CANDELA_SURFACE_RECORDS with the lanes that CANDELA_SURFACE_PARAMETERS states, and
 // these: direction.x is the number of the volume that the surface bounds or 0, as a word; direction.z and w are cosine
 // and sine of the rotation of the anisotropy; eta is the real part of a conductor's index of refraction, with 1 in w if
-// the metal is a conductor, and kappa its imaginary part; plastic is (kPlastic..., reflectance for light from the inside,
-// 1 if nonlinear, first record of its transmittances, counted from the first surface's). The dispersion is 0 if there is
-// none. The surfaces that bound
-// volumes come first; the number of a volume is the index of its surface + 1.
+// the metal is a conductor, and kappa its imaginary part; plastic is (kPlastic..., reflectance for light from the
+// inside, 1 if nonlinear, first record of its transmittances, counted from the first surface's). The dispersion is 0 if
+// there is none. The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
 struct SurfaceRecords {
 #define CANDELA_DECLARE_RECORD(record, name, index, isLoaded) vec4 record;
   CANDELA_SURFACE_RECORDS(CANDELA_DECLARE_RECORD)
@@ -122,8 +121,8 @@ CANDELA_CONST uint kPlasticSmooth = 1u;
 CANDELA_CONST uint kPlasticGgx = 2u;
 CANDELA_CONST uint kPlasticBeckmann = 3u;
 
-// Transmittances of the rough boundaries of plastic, after the surfaces: for each surface 21 records, whose four values are those at
-// consecutive nodes of scene::Plastic. The last value of a record is the first of the next one.
+// Transmittances of the rough boundaries of plastic, after the surfaces: for each surface 21 records, whose four values
+// are those at consecutive nodes of scene::Plastic. The last value of a record is the first of the next one.
 CANDELA_CONST uint kPlasticCells = 63u;
 CANDELA_CONST uint kPlasticCellsPerRow = 3u;
 
@@ -192,11 +191,12 @@ CANDELA_CONST uint kPointLightRows = 4u;
 // of 16 bits per channel, 16,384 records with the 65,536 linear values of 16-bit sRGB; then for each material four
 // records with a word for each scene::TextureSlot, the first record of a reference counted from the beginning of the
 // textures, or 0 for none, a record of its opacity (factor of alpha, cutoff or -1 for one that blends, reference,
-// 0), and a record of scales (normal map, coat's normal map, 0, 0); then the references; then the texels of the images,
-// four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16, b | a << 16), each
-// image beginning with a record. Words that refer to a reference of such an image have kDeepReference. References have
-// two records: (x and y of rowS, width | height << 16, flags and first record of the image, counted from the beginning
-// of the textures) (rowT, z of rowS). Kernels read the second only if the scene has the feature textureTransforms.
+// 0), and a record of scales (normal map, coat's normal map, kNormalMap... flags, 0); then the references; then the
+// texels of the images, four in a record, r | g << 8 | b << 16 | a << 24, or two of 16 bits per channel, (r | g << 16,
+// b | a << 16), each image beginning with a record. Words that refer to a reference of such an image have
+// kDeepReference. References have two records: (x and y of rowS, width | height << 16, flags and first record of the
+// image, counted from the beginning of the textures) (rowT, z of rowS). Kernels read the second only if the scene has
+// the feature textureTransforms.
 CANDELA_CONST uint kSrgbTableRows = 64u;
 CANDELA_CONST uint kDeepSrgbTableRows = 16384u;
 CANDELA_CONST uint kDeepReference = 1u << 31;
@@ -208,6 +208,8 @@ CANDELA_CONST uint kOpacityRow = (CANDELA_TEXTURE_SLOTS(CANDELA_COUNT_SLOT) + 3u
 #undef CANDELA_COUNT_SLOT
 CANDELA_CONST uint kScaleRow = kOpacityRow + 1u;
 CANDELA_CONST uint kMaterialTextureRows = kScaleRow + 1u;
+CANDELA_CONST uint kNormalMapHeights = 1u;        // it is a bump map
+CANDELA_CONST uint kNormalMapWithoutFacets = 2u;  // the normal is simply replaced
 CANDELA_CONST uint kReferenceRows = 2u;
 CANDELA_CONST uint kTextureSecondSet = 1u;  // flags, below the index of the record
 CANDELA_CONST uint kTextureNearest = 2u;

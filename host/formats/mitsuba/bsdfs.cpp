@@ -27,11 +27,10 @@ constexpr std::array<std::string_view, 15> kOtherBsdfs{"hair",      "measured", 
                                                        "pplastic",  "principledthin", "phong",
                                                        "ward",      "irawan",         "difftrans",
                                                        "hk",        "mixturebsdf",    "roughcoating"};
-constexpr std::array<std::string_view, 2> kNestingBsdfs{"bumpmap", "coating"};
-constexpr std::array<std::string_view, 14> kRenderedBsdfs{
-    "diffuse",   "dielectric",   "thindielectric", "roughdielectric", "conductor", "roughconductor",
-    "plastic",   "roughplastic", "principled",     "twosided",        "mask",      "normalmap",
-    "blendbsdf", "null"};
+constexpr std::array<std::string_view, 15> kRenderedBsdfs{
+    "diffuse",        "dielectric", "thindielectric", "roughdielectric", "conductor",
+    "roughconductor", "plastic",    "roughplastic",   "principled",      "twosided",
+    "mask",           "normalmap",  "bumpmap",        "blendbsdf",       "null"};
 
 void set(scene::Material& material, TextureSlot slot, const std::optional<scene::TextureReference>& texture) {
   material.textures[static_cast<std::size_t>(slot)] = texture;
@@ -91,8 +90,9 @@ Bsdf Bsdfs::make(const Object& bsdf, int depth) {
     if (type == "blendbsdf") return blend(bsdf, depth);
     if (type == "mask") return mask(bsdf, depth);
     if (type == "normalmap") return normalMap(bsdf, depth);
+    if (type == "bumpmap") return bumpMap(bsdf, depth);
     if (type == "null") return {.isInvisible = true, .isTwoSided = true};
-    if (std::ranges::count(kNestingBsdfs, type) > 0) return replaced(bsdf, "renders its first nested BSDF", depth);
+    if (type == "coating") return replaced(bsdf, "renders its nested BSDF", depth);
     if (std::ranges::count(kOtherBsdfs, type) > 0) return replaced(bsdf, "renders grey instead", depth);
     throw PlacedError{bsdf.place, fmt::format("unknown BSDF {}{}", quote(type), suggestionFor(type, kRenderedBsdfs))};
   };
@@ -354,8 +354,10 @@ Bsdf Bsdfs::blended(const Object& bsdf, int depth) {
 Bsdf Bsdfs::blend(const Object& bsdf, int depth) {
   const std::vector<const Object*> children = bsdf.nested("bsdf");
   if (children.size() != 2) throw PlacedError{bsdf.place, "a BSDF \"blendbsdf\" has two nested BSDFs"};
-  if (!bsdf.has("weight")) throw PlacedError{bsdf.place, "a BSDF \"blendbsdf\" has no \"weight\""};
-  const Texture weight = textures_.read(bsdf, "weight", 0.5, ColourUse::unbounded, Encoding::alpha);
+  const Object* const texture = bsdf.onlyNested("texture");
+  if (!texture && !bsdf.has("weight")) throw PlacedError{bsdf.place, "a BSDF \"blendbsdf\" has no \"weight\""};
+  const Texture weight = texture ? textures_.readObject(*texture, ColourUse::unbounded, Encoding::alpha)
+                                 : textures_.read(bsdf, "weight", 0.5, ColourUse::unbounded, Encoding::alpha);
   const auto factor = static_cast<float>(std::clamp(weight.factor.x, 0.0, 1.0));
   Bsdf first = blended(*children[0], depth), second = blended(*children[1], depth);
   if (first.isInvisible && second.isInvisible) return first;
@@ -391,23 +393,45 @@ Bsdf Bsdfs::mask(const Object& bsdf, int depth) {
   return result;
 }
 
+/// Sets the normal map of a BSDF, or of each of those between which it is a choice.
+void Bsdfs::setNormalMap(const scene::TextureReference& map, float scale, bool hasHeights, const Object& bsdf,
+                         Bsdf& result) {
+  forEachLeaf(result, [&](Bsdf& leaf) {
+    makeSurface(leaf.material);
+    if (hasNormalMap(leaf.material)) {
+      report_.deviate(bsdf.place, "a map of normals or heights of a BSDF that has one already is not rendered",
+                      "takes the outer one");
+    }
+    set(leaf.material, TextureSlot::normal, map);
+    leaf.material.normalScale = scale;
+    leaf.material.hasHeights = hasHeights;
+    leaf.material.hasFacets = false;
+  });
+}
+
 Bsdf Bsdfs::normalMap(const Object& bsdf, int depth) {
   Bsdf result = nested(bsdf, depth);
   bsdf.ignore({"flip_invalid_normals", "use_shadowing_function"}, report_);
   const Texture map = textures_.read(bsdf, "normalmap", 1, ColourUse::unbounded, Encoding::linear);
-  if (result.isInvisible || !map.reference) return result;
-  forEachLeaf(result, [&](Bsdf& leaf) {
-    makeSurface(leaf.material);
-    set(leaf.material, TextureSlot::normal, map.reference);
-  });
+  if (!result.isInvisible && map.reference) setNormalMap(*map.reference, 1, false, bsdf, result);
+  return result;
+}
+
+Bsdf Bsdfs::bumpMap(const Object& bsdf, int depth) {
+  Bsdf result = nested(bsdf, depth);
+  const Object* const texture = bsdf.onlyNested("texture");
+  if (!texture) throw PlacedError{bsdf.place, "a BSDF \"bumpmap\" has a nested texture"};
+  const double scale = bsdf.number("scale", 1);
+  const Texture map = textures_.readObject(*texture, ColourUse::unbounded, Encoding::height);
+  const auto factor = static_cast<float>(scale * map.factor.x);
+  if (!result.isInvisible && map.reference) setNormalMap(*map.reference, factor, true, bsdf, result);
   return result;
 }
 
 Bsdf Bsdfs::replaced(const Object& bsdf, const char* by, int depth) {
   report_.deviate(bsdf.place, fmt::format("{} is not rendered", bsdf.description()), by);
   bsdf.useAll();
-  const bool isWrapper = std::ranges::count(kNestingBsdfs, bsdf.type) > 0;
-  if (isWrapper) return nested(bsdf, depth);
+  if (!bsdf.nested("bsdf").empty()) return nested(bsdf, depth);
   Bsdf result{.isTwoSided = true};
   result.material.diffuse = scene::DiffuseLobe{.colour = glm::vec3(0.5f)};
   return result;

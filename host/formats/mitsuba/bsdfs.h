@@ -56,9 +56,11 @@ class Bsdfs {
   Bsdf blended(const Object& bsdf, int depth);
   Bsdf mask(const Object& bsdf, int depth);
   Bsdf normalMap(const Object& bsdf, int depth);
+  Bsdf bumpMap(const Object& bsdf, int depth);
   Bsdf replaced(const Object& bsdf, const char* by, int depth);
   Bsdf nested(const Object& bsdf, int depth);
 
+  void setNormalMap(const scene::TextureReference& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
   void setRoughness(const Object& bsdf, scene::Material& material);
   void requireGgx(const Object& bsdf);
   glm::dvec3 constant(const Object& bsdf, const char* name, double absent, ColourUse use);

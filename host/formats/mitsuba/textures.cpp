@@ -56,6 +56,8 @@ std::uint64_t encoded(const glm::dvec3& value, Encoding encoding) {
       return packed({image::srgbEncode(value.x), image::srgbEncode(value.y), image::srgbEncode(value.z)}, 1);
     case Encoding::linear:
       return packed(value, 1);
+    case Encoding::height:
+      return packed(glm::dvec3(grey), 1);
     case Encoding::alpha:
       return packed(glm::dvec3(1), grey);
     case Encoding::roughness:
@@ -145,7 +147,7 @@ Texture Textures::readBitmap(const Object& texture, Encoding encoding) {
     scene::TextureImage converted{image.name, image.width, image.height, {}};
     for (const glm::vec3& value : source->values)
       factor = std::max({factor, double{value.x}, double{value.y}, double{value.z}});
-    if (factor > 1 && encoding != Encoding::srgb) factor = 1;
+    if (factor > 1 && encoding != Encoding::srgb && encoding != Encoding::height) factor = 1;
     converted.deepTexels.reserve(sizeOf(image));
     for (std::size_t i = 0; i < sizeOf(image); ++i) {
       const glm::dvec3 value = source->isFloat() ? glm::dvec3(source->values[i]) / factor
@@ -169,7 +171,7 @@ Texture Textures::readCheckerboard(const Object& texture, ColourUse use, Encodin
     return property ? colourOf(*property, use, report_) : glm::dvec3(absent);
   };
   glm::dvec3 even = colour("color0", 0.4), odd = colour("color1", 0.2);
-  const bool isNumber = encoding == Encoding::alpha || encoding == Encoding::roughness;
+  const bool isNumber = encoding != Encoding::srgb && encoding != Encoding::linear;
   if (isNumber) std::swap(even, odd);
   const double largest = std::max({even.x, even.y, even.z, odd.x, odd.y, odd.z});
   const double factor = encoding == Encoding::srgb && largest > 1 ? largest : 1;

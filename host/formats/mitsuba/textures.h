@@ -24,6 +24,7 @@ struct Texture {
 enum class Encoding {
   srgb,       ///< colours, as of a base colour
   linear,     ///< normal maps
+  height,     ///< bump maps, from grey
   alpha,      ///< the alpha channel of an opacity, from grey
   roughness,  ///< the green channel, of which alpha of microfacets is the square; blue is 1
 };
@@ -38,6 +39,8 @@ class Textures {
   /// image that cannot be read, and a texture that is not rendered, is an error, or with `--lenient` left out. Throws
   /// PlacedError, and OutOfMemoryError if the images exceed the memory budget.
   Texture read(const Object& owner, std::string_view name, double absent, ColourUse use, Encoding encoding);
+  /// Returns the same of a texture that is nested in another object.
+  Texture readObject(const Object& texture, ColourUse use, Encoding encoding);
 
   /// The images to which the references refer.
   std::vector<scene::TextureImage> takeImages() { return std::move(images_); }
@@ -52,7 +55,6 @@ class Textures {
     bool isFloat() const { return !values.empty(); }
   };
 
-  Texture readObject(const Object& texture, ColourUse use, Encoding encoding);
   Texture readBitmap(const Object& texture, Encoding encoding);
   Texture readCheckerboard(const Object& texture, ColourUse use, Encoding encoding);
   Texture readAttribute(const Object& texture, Encoding encoding);

@@ -35,7 +35,11 @@ void noteRun(const scene::Scene& scene, const scene::PrimitiveRun& run, SceneFea
     features.longCorners |= needsLongCorners(meshOf(scene, primitive));
     features.colours |= !meshOf(scene, primitive).colours.empty();
     features.tangents |= hasTangents(scene, primitive);
+    const auto hasBumpMap = [](const scene::Material& material) {
+      return hasNormalMap(material) && material.hasHeights;
+    };
     features.normalMaps |= hasTangents(scene, primitive) && anyMaterial(scene, primitive.material, scene::hasNormalMap);
+    features.bumpMaps |= hasTangents(scene, primitive) && anyMaterial(scene, primitive.material, hasBumpMap);
   }
 }
 

@@ -118,7 +118,10 @@ Rows textureRows(const scene::Scene& scene) {
     rows.insert(rows.end(), slots.begin(), slots.end());
     rows.push_back({floatBits(double{opacity.factor}), floatBits(double{opacity.cutoff.value_or(-1.0f)}),
                     add(opacity.texture), 0});
-    rows.push_back({floatBits(double{material.normalScale}), floatBits(double{material.coatNormalScale}), 0, 0});
+    rows.push_back(
+        {floatBits(double{material.normalScale}), floatBits(double{material.coatNormalScale}),
+         (material.hasHeights ? gpu::kNormalMapHeights : 0) | (material.hasFacets ? 0 : gpu::kNormalMapWithoutFacets),
+         0});
   }
   rows.insert(rows.end(), references.begin(), references.end());
   for (const scene::TextureImage& image : scene.images) appendTexels(image, rows);

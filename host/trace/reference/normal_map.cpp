@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "host/base/hypotenuse.h"
+#include "host/trace/reference/bump_map.h"
 
 namespace candela::reference {
 namespace {
@@ -12,22 +15,30 @@ namespace {
 // The components of a direction that a texel encodes in red, green and blue.
 dvec3 directionOf(Texel texel) { return 2.0 * dvec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0; }
 
-}  // namespace
-
-void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface) {
-  const MeshAttributes& attributes = surface.attributes;
+// Returns the direction of a texel in the space of the scene, of any length.
+std::optional<dvec3> normalOfTexel(const TextureReader& textures, scene::TextureSlot slot, const Surface& surface) {
   const std::optional<Texel> texel = textures.at(surface, slot);
-  if (!texel || attributes.tangent == dvec3(0)) return;
+  if (!texel) return std::nullopt;
   const scene::Material& material = textures.scene.materials[surface.material];
   const double scale = slot == scene::TextureSlot::normal ? material.normalScale : material.coatNormalScale;
   const dvec3 c = directionOf(*texel);
-  dvec3 mapped = c.x * scale * attributes.tangent + c.y * scale * attributes.bitangent + c.z * surface.smoothNormal;
-  if (mapped == dvec3(0)) return;
-  mapped = normalize(mapped);
+  const auto& [tangent, bitangent] = std::pair(surface.attributes.tangent, surface.attributes.bitangent);
+  return c.x * scale * tangent + c.y * scale * bitangent + c.z * surface.smoothNormal;
+}
+
+}  // namespace
+
+void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface) {
+  const scene::Material& material = textures.scene.materials[surface.material];
+  const bool hasHeights = material.hasHeights && slot == scene::TextureSlot::normal;
+  const std::optional<dvec3> normal = hasHeights ? bumpedNormal(textures, surface)
+                                                 : normalOfTexel(textures, slot, surface);
+  if (!normal || *normal == dvec3(0) || surface.attributes.tangent == dvec3(0)) return;
+  dvec3 mapped = normalize(*normal);
   const double cosine = dot(mapped, surface.outwardNormal);
   if (cosine < 0) mapped -= 2 * cosine * surface.outwardNormal;
   surface.shadingNormal = surface.fromOutside ? mapped : -mapped;
-  surface.isMapped = true;
+  surface.isMapped = material.hasFacets;
 }
 
 double NormalMapFacets::directProbability(const dvec3& wo) const {

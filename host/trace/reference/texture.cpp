@@ -33,6 +33,12 @@ Texel widened(std::uint32_t texel) {
 
 std::int64_t remainder(std::int64_t x, std::int64_t period) { return (x % period + period) % period; }
 
+// The weights of the next texels across and down among the four around texture coordinates.
+dvec2 fractionBetweenTexels(const scene::TextureImage& image, const dvec2& st) {
+  const dvec2 limited = glm::lessThan(glm::abs(st), dvec2(kLimit)) == glm::bvec2(true) ? st : dvec2(0);
+  return glm::fract(limited * dvec2(image.width, image.height) - 0.5);
+}
+
 }  // namespace
 
 std::uint32_t texelIndex(double s, std::uint32_t count, scene::TextureWrap wrap, double displacement) {
@@ -73,8 +79,7 @@ double alphaOf(Texel texel) { return channel(texel, 3) / 65535.0; }
 
 double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
   if (reference.filter == scene::TextureFilter::nearest) return alphaOf(texelAt(image, reference, st, dvec2(0)));
-  const dvec2 limited = glm::lessThan(glm::abs(st), dvec2(kLimit)) == glm::bvec2(true) ? st : dvec2(0);
-  const dvec2 fraction = glm::fract(limited * dvec2(image.width, image.height) - 0.5);
+  const dvec2 fraction = fractionBetweenTexels(image, st);
   double alpha = 0;
   for (int corner = 0; corner < 4; ++corner) {
     const dvec2 next(corner % 2, corner / 2);  // a jitter of 1 leads to the next texel
@@ -82,6 +87,16 @@ double filteredAlpha(const scene::TextureImage& image, const scene::TextureRefer
     alpha += weight.x * weight.y * alphaOf(texelAt(image, reference, st, next));
   }
   return alpha;
+}
+
+dvec2 gradientOfRed(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
+  scene::TextureReference linear = reference;
+  linear.filter = scene::TextureFilter::linear;
+  const dvec2 fraction = fractionBetweenTexels(image, st);
+  const auto red = [&](double x, double y) { return redOf(texelAt(image, linear, st, dvec2(x, y))); };
+  const double byS = glm::mix(red(1, 0) - red(0, 0), red(1, 1) - red(0, 1), fraction.y);
+  const double byT = glm::mix(red(0, 1) - red(0, 0), red(1, 1) - red(1, 0), fraction.x);
+  return {byS * image.width, byT * image.height};
 }
 
 dvec3 linearColour(Texel texel) {

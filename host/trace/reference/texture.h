@@ -33,6 +33,10 @@ double alphaOf(Texel texel);
 /// The alpha at texture coordinates (s, t), interpolated among four texels unless the filter is `nearest`.
 double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
 
+/// The derivatives by s and t of the red at texture coordinates (s, t), interpolated among four texels whatever the
+/// filter.
+dvec2 gradientOfRed(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
+
 /// The linear colour of a texel whose colour is encoded in sRGB.
 dvec3 linearColour(Texel texel);
 

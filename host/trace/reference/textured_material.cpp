@@ -74,6 +74,14 @@ Texel TextureReader::read(const std::optional<scene::TextureReference>& texture,
   return texel;
 }
 
+dvec2 TextureReader::gradientOfRed(const std::optional<scene::TextureReference>& texture,
+                                   const MeshAttributes& attributes) const {
+  const dvec2 st = arithmetic.texCoords(texture, attributes);
+  const scene::TextureImage& image = scene.images[texture->image];
+  for (const dvec2& corner : {dvec2(0, 0), dvec2(1, 1)}) arithmetic.decide(texelAt(image, *texture, st, corner));
+  return reference::gradientOfRed(image, *texture, st);
+}
+
 std::optional<Texel> TextureReader::at(const Surface& surface, scene::TextureSlot slot) const {
   const auto& texture = textureOf(scene.materials[surface.material], slot);
   if (!texture || scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return std::nullopt;

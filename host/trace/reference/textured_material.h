@@ -17,6 +17,8 @@ struct TextureReader {
   /// `texture` is not empty. The jitter, two random numbers, selects among neighbouring texels.
   Texel read(const std::optional<scene::TextureReference>& texture, const MeshAttributes& attributes,
              const dvec2& jitter) const;
+  /// Returns the derivatives of the red of a texture by its coordinates s and t, interpolated among four texels.
+  dvec2 gradientOfRed(const std::optional<scene::TextureReference>& texture, const MeshAttributes& attributes) const;
   /// Returns the texel of a slot of the material at a surface point; nothing without a texture.
   std::optional<Texel> at(const Surface& surface, scene::TextureSlot slot) const;
 };

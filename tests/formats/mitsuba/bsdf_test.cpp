@@ -213,8 +213,8 @@ TEST_CASE("What Mitsuba's BSDFs have and Candela does not is an error, or a repl
         "2:25: plastic whose index of refraction is at most that of its outside is not rendered; lenient renders");
   check(R"(<bsdf type="roughconductor"/>)",
         "the distribution \"beckmann\" is not rendered yet; lenient renders \"ggx\"");
-  check(R"(<bsdf type="bumpmap"><bsdf type="diffuse"/></bsdf>)",
-        "\"bumpmap\" is not rendered; lenient renders its first nested BSDF");
+  check(R"(<bsdf type="coating"><bsdf type="diffuse"/></bsdf>)",
+        "\"coating\" is not rendered; lenient renders its nested BSDF");
   check(R"(<bsdf type="hair"><float name="scale" value="3"/></bsdf>)",
         "bsdf \"hair\" is not rendered; lenient renders grey instead");
   CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="difuse"/>)"), kLenient) ==
@@ -308,6 +308,21 @@ TEST_CASE("A checkerboard is an image of two by two texels, whose colours number
   const scene::Scene mask = xmlSceneOf(
       withBsdf("<bsdf type=\"mask\">" + named("opacity") + "<bsdf type=\"diffuse\"/></bsdf>"));
   CHECK((mask.images.at(0).deepTexels[0] >> 48) == 32768);
+}
+
+TEST_CASE("Bump maps are normal maps of heights") {
+  const Picture picture;
+  const scene::Scene scene = picture.sceneOf(withBsdf("<bsdf type=\"bumpmap\"><float name=\"scale\" value=\"0.5\"/>" +
+                                                      bitmap("bumps") + "<bsdf type=\"diffuse\"/></bsdf>"));
+  const scene::Material& material = scene.materials.at(0);
+  CHECK(material.hasHeights);
+  CHECK(material.normalScale == 0.5f);
+  REQUIRE(scene.images.at(0).isDeep());
+  const double grey = image::luminance({0, image::srgbDecode(0.2), image::srgbDecode(0.4)});
+  CHECK(static_cast<double>(scene.images[0].deepTexels[0] & 65535) / 65535 == Approx(grey).margin(1e-5));
+  CHECK(scene.meshes.at(0).tangents.size() == 6);
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="bumpmap"><bsdf type="diffuse"/></bsdf>)")).find("has a nested texture") !=
+        std::string::npos);
 }
 
 TEST_CASE("Normal maps make surfaces with tangents, whose second one does not depend on the image") {

@@ -160,7 +160,7 @@ TEST_CASE("a tilted normal shades a directional light by its cosine, and by the 
   });
 }
 
-TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, on either side of a facet") {
+TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, which is all without facets") {
   // The normal is tilted to the left by 53 degrees. Light from the right that is low is below the facet's horizon.
   SceneBuilder b;
   b.scene.images = {oneTexel(26, 128, 204)};
@@ -175,9 +175,13 @@ TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, o
   const glm::dvec3 towards(side * std::sqrt(1 - height * height), 0, height);
   light.direction = vec3(-towards);
   b.scene.punctualLights = {light};
-  const double expected = std::max(0.0, glm::dot(normal, towards)) + (1 - normal.z) / 2 * height;
+  const double direct = std::max(0.0, glm::dot(normal, towards));
+  const double expected = direct + (1 - normal.z) / 2 * height;
+  scene::Scene replaced = b.scene;
+  replaced.materials[0].hasFacets = false;
   onBothTracers([&](const RenderFunction& render) {
     CHECK(meanLuminance(render(b.scene, squareSettings(4, 16)).film) == Approx(expected).epsilon(1e-3));
+    CHECK(meanLuminance(render(replaced, squareSettings(4, 16)).film) == Approx(direct).epsilon(1e-3).margin(1e-6));
   });
 }
 
