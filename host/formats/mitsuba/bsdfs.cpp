@@ -105,13 +105,13 @@ Bsdf Bsdfs::make(const Object& bsdf, int depth) {
 Texture Bsdfs::baseColour(const Object& bsdf, const char* name, double absent, Bsdf& result) {
   Texture colour = textures_.read(bsdf, name, absent, ColourUse::reflectance, Encoding::srgb);
   set(result.material, TextureSlot::baseColour, colour.reference);
-  result.usesVertexColours = colour.usesVertexColours;
+  result.attribute = colour.attribute;
   return colour;
 }
 
 glm::dvec3 Bsdfs::constant(const Object& bsdf, const char* name, double absent, ColourUse use) {
   const Texture texture = textures_.read(bsdf, name, absent, use, Encoding::srgb);
-  if (texture.reference || texture.usesVertexColours) {
+  if (texture.reference || texture.attribute) {
     report_.deviate(bsdf.find(name)->place,
                     fmt::format("a texture of {} of {} is not rendered", quote(name), bsdf.description()),
                     "renders its brightest value");
@@ -374,8 +374,9 @@ Bsdf Bsdfs::blend(const Object& bsdf, int depth) {
                     "renders the first nested BSDF");
     return first;
   }
-  if (first.usesVertexColours != second.usesVertexColours) {
-    report_.deviate(bsdf.place, "vertex colours of only one BSDF of a blend are not rendered", "colours both BSDFs");
+  if (first.attribute != second.attribute) {
+    report_.deviate(bsdf.place, "an attribute of the mesh that only one BSDF of a blend has is not rendered",
+                    "colours both BSDFs");
   }
   Bsdf result{.choices = {std::move(first), std::move(second)}, .weight = factor};
   set(result.material, TextureSlot::baseColour, weight.reference);

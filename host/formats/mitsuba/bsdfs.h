@@ -18,9 +18,9 @@ struct Bsdf {
   /// Two BSDFs, between which rays choose by `weight`, or by side without one.
   std::vector<Bsdf> choices{};
   std::optional<float> weight{};
-  bool isInvisible = false;        ///< "null": light passes the surface as if it were not there
-  bool isTwoSided = false;         ///< both sides scatter light alike; else the back is black. Not of `choices`
-  bool usesVertexColours = false;  ///< the colours of a mesh, without which it is white, scale those of the material
+  bool isInvisible = false;  ///< "null": light passes the surface as if it were not there
+  bool isTwoSided = false;   ///< both sides scatter light alike; else the back is black. Not of `choices`
+  std::optional<MeshAttribute> attribute{};  ///< scales the colour; a mesh without it is white
 };
 
 /// Calls `visit` with each BSDF that is no choice between others.

@@ -4,9 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <span>
+#include <type_traits>
 #include <vector>
 
+#include "host/base/memory_budget.h"
 #include "host/base/quote.h"
 #include "host/formats/loading/loader.h"
 #include "host/formats/loading/vertex_normals.h"
@@ -14,7 +17,6 @@
 #include "host/formats/obj/obj_parser.h"
 #include "host/formats/ply/ply_header.h"
 #include "host/formats/ply/ply_mesh.h"
-#include "host/image/colour_transfer.h"
 
 namespace candela::mitsuba {
 namespace {
@@ -33,6 +35,27 @@ std::vector<glm::vec3> smoothNormalsOf(std::span<const glm::vec3> points, std::s
   std::vector<glm::vec3> result;
   for (const std::uint32_t normal : ofPoint) result.push_back(normals.at(normal));
   return result;
+}
+
+/// Gives each triangle vertices of its own, with its colour.
+void colourFaces(scene::Mesh& mesh, std::span<const glm::vec4> colours, const std::string& name) {
+  const std::size_t count = mesh.indices.size();
+  requireMemory(name + ": the mesh", count * (2 * sizeof(glm::vec3) + sizeof(glm::vec2) + sizeof(glm::vec4)),
+                "use a machine with more memory");
+  const auto spread = [&](auto& attribute) {
+    if (attribute.empty()) return;
+    std::remove_reference_t<decltype(attribute)> corners;
+    corners.reserve(count);
+    for (const std::uint32_t index : mesh.indices) corners.push_back(attribute[index]);
+    attribute = std::move(corners);
+  };
+  spread(mesh.positions);
+  spread(mesh.normals);
+  spread(mesh.texCoords[0]);
+  mesh.colours.clear();
+  mesh.colours.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) mesh.colours.push_back(colours[i / 3]);
+  std::iota(mesh.indices.begin(), mesh.indices.end(), 0u);
 }
 
 }  // namespace
@@ -91,13 +114,13 @@ scene::Mesh readPlyMesh(const std::filesystem::path& path, std::string_view byte
   scene::DiagnosticLog& log = report.addLog(path.string());
   const scene::SceneFile file{bytes, path.string(), scene::folderOrCurrent(path.parent_path())};
   const ply::Header header = ply::readHeader(file);
-  scene::Mesh mesh = ply::readContents(file, header, report.isLenient(), log).mesh;
+  ply::ColourSource source{.isLinear = true};
+  if (options.attribute) source = {options.attribute->isOfFaces, options.attribute->name, true};
+  ply::Contents contents = ply::readContents(file, header, source, report.isLenient(), log);
   if (log.errorCount() > 0) throw PlacedError{place, fmt::format("{} cannot be read", quote(path.filename().string()))};
-  for (glm::vec4& colour : mesh.colours) {  // Mitsuba takes them as linear
-    for (int c = 0; c < 3; ++c) colour[c] = static_cast<float>(image::srgbEncode(double{colour[c]}));
-  }
-  complete(mesh, options);
-  return mesh;
+  complete(contents.mesh, options);
+  if (!contents.faceColours.empty()) colourFaces(contents.mesh, contents.faceColours, file.name);
+  return std::move(contents.mesh);
 }
 
 }  // namespace candela::mitsuba

@@ -18,7 +18,6 @@
 #include "host/formats/loading/scene_builder.h"
 #include "host/formats/mitsuba/built_in_meshes.h"
 #include "host/formats/mitsuba/emitters.h"
-#include "host/formats/mitsuba/mesh_files.h"
 #include "host/formats/mitsuba/names.h"
 #include "host/formats/mitsuba/place_mesh.h"
 #include "host/formats/mitsuba/serialized_mesh.h"
@@ -37,6 +36,10 @@ constexpr std::array<std::string_view, 8> kOtherShapes{"bsplinecurve",   "linear
                                                        "ellipsoidsmesh", "hair",        "heightfield", "deformable"};
 constexpr std::array<std::string_view, 11> kRenderedShapes{
     "obj", "serialized", "ply", "sphere", "rectangle", "cube", "cylinder", "disk", "shapegroup", "instance", "merge"};
+
+std::string nameOf(const MeshAttribute& attribute) {
+  return (attribute.isOfFaces ? "face_" : "vertex_") + attribute.name;
+}
 
 std::uint64_t bytesOf(const scene::Mesh& mesh) {
   return sizeof(scene::Mesh) + (mesh.positions.size() + mesh.normals.size()) * sizeof(glm::vec3) +
@@ -144,7 +147,9 @@ std::uint32_t Shapes::addMaterial(const Object* bsdf, const Object* emitter, con
     emission = areaEmission(*emitter, textures_, report_);
     look.emits = emission.factor != glm::dvec3(0);
   }
-  forEachLeaf(surface, [&](const Bsdf& leaf) { look.usesVertexColours |= leaf.usesVertexColours; });
+  forEachLeaf(surface, [&](const Bsdf& leaf) {
+    if (leaf.attribute) look.attribute = leaf.attribute;
+  });
   const Object* const named = bsdf && !bsdf->id.empty() ? bsdf : &shape;
   const std::string name = named->id.empty() ? fmt::format("material.{}", materialCount_) : named->id;
   ++materialCount_;
@@ -273,8 +278,8 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
   }
   if (look.isInvisible) return nullptr;
   const auto& tangentTexture = tangentTextureOf(scene_, look.material);
-  std::string key = fmt::format("{} {} {} {} {} ", shape.type, hasFaceNormals, flipsTexCoords, isFlipped,
-                                look.usesVertexColours);
+  std::string key = fmt::format("{} {} {} {} ", shape.type, hasFaceNormals, flipsTexCoords, isFlipped);
+  if (look.attribute) key += fmt::format("{} {} ", nameOf(*look.attribute), look.attribute->name.size());
   if (tangentTexture) {
     const auto& [s, t] = std::pair(tangentTexture->rowS, tangentTexture->rowT);
     key += fmt::format("{} {} {} {} {} {} ", s.x, s.y, s.z, t.x, t.y, t.z);
@@ -287,7 +292,7 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
   scene::Mesh mesh;
   try {
     if (isFile) {
-      mesh = readFile(shape, path, hasFaceNormals, flipsTexCoords);
+      mesh = readFile(shape, path, {hasFaceNormals, flipsTexCoords, look.attribute});
     } else {
       mesh = shape.type == "rectangle" ? rectangleMesh()
              : shape.type == "cube"    ? cubeMesh()
@@ -303,9 +308,10 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
     report_.deviate(shape.place, error.what(), "leaves the shape out");
     return nullptr;
   }
-  if (look.usesVertexColours && mesh.colours.empty()) {
+  if (look.attribute && mesh.colours.empty()) {
     report_.deviate(shape.place,
-                    fmt::format("{} has no colours \"vertex_color\", to which its BSDF refers", shape.description()),
+                    fmt::format("{} has no attribute {} of one or three channels, to which its BSDF refers",
+                                shape.description(), quote(nameOf(*look.attribute))),
                     "renders white instead");
   }
   if (isFlipped) flip(mesh);
@@ -317,11 +323,10 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
   return &*stored;
 }
 
-scene::Mesh Shapes::readFile(const Object& shape, const std::filesystem::path& path, bool hasFaceNormals, bool flips) {
+scene::Mesh Shapes::readFile(const Object& shape, const std::filesystem::path& path, const MeshFileOptions& options) {
   guard_.require(path);
   const std::string bytes = scene::readFile(path);
   hashes_.push_back(fnv1aOfText(bytes));
-  const MeshFileOptions options{hasFaceNormals, flips};
   if (shape.type == "serialized") return readSerializedMesh(path, bytes, shape.integer("shape_index", 0), options);
   return shape.type == "obj" ? readObjMesh(path, bytes, options, shape.place, report_)
                              : readPlyMesh(path, bytes, options, shape.place, report_);
@@ -329,7 +334,7 @@ scene::Mesh Shapes::readFile(const Object& shape, const std::filesystem::path& p
 
 /// Leaves out the attributes that the material does not use, and adds tangents.
 void Shapes::finish(scene::Mesh& mesh, const Look& look) const {
-  if (!look.usesVertexColours) mesh.colours.clear();
+  if (!look.attribute) mesh.colours.clear();
   for (glm::vec4& colour : mesh.colours) colour.w = 1;
   const auto& tangentTexture = tangentTextureOf(scene_, look.material);
   if (!tangentTexture || mesh.texCoords[0].empty()) return;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "host/formats/mitsuba/bsdfs.h"
+#include "host/formats/mitsuba/mesh_files.h"
 #include "host/scene/scene.h"
 
 namespace candela::mitsuba {
@@ -40,7 +41,7 @@ class Shapes {
     bool emits = false;
     bool needsTriangles = false;  ///< of textures, of an opacity, and of tangents
     bool transmits = false;
-    bool usesVertexColours = false;
+    std::optional<MeshAttribute> attribute{};
   };
   /// A mesh in its own coordinates.
   struct StoredMesh {
@@ -59,7 +60,7 @@ class Shapes {
   void addCylinder(const Object& shape, const glm::dmat4& map, bool isFlipped, const Look& look);
   glm::dmat4 ownMap(const Object& shape) const;
   StoredMesh* meshOf(const Object& shape, const Look& look);
-  scene::Mesh readFile(const Object& shape, const std::filesystem::path& path, bool hasFaceNormals, bool flips);
+  scene::Mesh readFile(const Object& shape, const std::filesystem::path& path, const MeshFileOptions& options);
   void finish(scene::Mesh& mesh, const Look& look) const;
   void addPlaced(scene::Mesh mesh, const glm::dmat4& map, const Object& shape, const Look& look);
   void addInstance(StoredMesh& stored, const glm::dmat4& map, const Object& shape, const Look& look);

@@ -191,13 +191,17 @@ Texture Textures::readCheckerboard(const Object& texture, ColourUse use, Encodin
 Texture Textures::readAttribute(const Object& texture, Encoding encoding) {
   const std::string name = texture.text("name", "");
   const double scale = texture.number("scale", 1);
-  if (name != "vertex_color" || encoding != Encoding::srgb) {
-    report_.deviate(texture.place,
-                    fmt::format("the attribute {} is not rendered: only the colours \"vertex_color\" are", quote(name)),
+  const bool isOfFaces = name.starts_with("face_");
+  if (!isOfFaces && !name.starts_with("vertex_")) {
+    throw PlacedError{texture.place,
+                      fmt::format("the attribute {} begins neither with \"vertex_\" nor with \"face_\"", quote(name))};
+  }
+  if (encoding != Encoding::srgb) {
+    report_.deviate(texture.place, fmt::format("the attribute {} is rendered as a colour alone", quote(name)),
                     "renders white instead");
     return {};
   }
-  return {glm::dvec3(scale), {}, true};
+  return {glm::dvec3(scale), {}, MeshAttribute{isOfFaces, name.substr(name.find('_') + 1)}};
 }
 
 const Textures::Source* Textures::load(const std::filesystem::path& path, const Object& texture) {

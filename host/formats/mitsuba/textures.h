@@ -13,11 +13,19 @@
 
 namespace candela::mitsuba {
 
+/// Colours that a mesh states for its vertices or its faces.
+struct MeshAttribute {
+  bool isOfFaces = false;
+  std::string name{};  ///< without "vertex_" or "face_"
+
+  bool operator==(const MeshAttribute&) const = default;
+};
+
 /// A colour or a number that may vary over a surface: the product of all members.
 struct Texture {
   glm::dvec3 factor{1};
   std::optional<scene::TextureReference> reference{};  ///< its encoding is that of the slot for which it was made
-  bool usesVertexColours = false;
+  std::optional<MeshAttribute> attribute{};
 };
 
 /// The encoding of the texels that a slot of a material reads.

@@ -91,7 +91,7 @@ scene::LoadedScene loadPly(const scene::SceneFile& file, const scene::LoadOption
   const std::shared_future<std::uint64_t> hash = scene::startHash(file.bytes);
   const Header header = readHeader(file);
   Making making{file, options, scene::PathGuard(file.folder, options.allowedPaths), scene::DiagnosticLog(file.name)};
-  Contents contents = readContents(file, header, options.lenient, making.log);
+  Contents contents = readContents(file, header, {}, options.lenient, making.log);
   scene::LoadedScene& loaded = making.loaded;
   loaded.counts = std::move(contents.counts);
   loaded.facts = {{"encoding", wordsOf(header.encoding)}};

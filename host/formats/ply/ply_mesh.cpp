@@ -25,9 +25,11 @@ namespace {
 using scene::quote;
 
 /// Colours of files are what a screen shows: encoded in sRGB, integers as fractions of the largest of their type.
+/// Floats may be linear instead.
 class ColourDecoder {
  public:
-  explicit ColourDecoder(NumberType type) : scale_(isInteger(type) ? static_cast<double>(maxOf(type)) : 1) {
+  ColourDecoder(NumberType type, bool hasLinearFloats)
+      : scale_(isInteger(type) ? static_cast<double>(maxOf(type)) : 1), isLinear_(hasLinearFloats && !isInteger(type)) {
     if (type != NumberType::uint8) return;
     for (int i = 0; i < 256; ++i) bytes_.push_back(decode(static_cast<float>(i)));
   }
@@ -37,28 +39,54 @@ class ColourDecoder {
 
  private:
   float decode(float value) const {
-    return static_cast<float>(image::srgbDecode(std::clamp(static_cast<double>(value) / scale_, 0.0, 1.0)));
+    const double signal = std::clamp(static_cast<double>(value) / scale_, 0.0, 1.0);
+    return static_cast<float>(isLinear_ ? signal : image::srgbDecode(signal));
   }
   double scale_;
+  bool isLinear_;
   std::vector<float> bytes_{};
 };
 
-float alphaOf(float value, NumberType type) {
-  const double scale = isInteger(type) ? static_cast<double>(maxOf(type)) : 1;
-  return static_cast<float>(std::clamp(static_cast<double>(value) / scale, 0.0, 1.0));
-}
+/// The numbers of a row, by slot.
+using Numbers = std::array<float, kSlotCount + 1>;
+
+/// Makes the colours of the rows of an element.
+class ColourReader {
+ public:
+  ColourReader(const VertexPlan& plan, const Element& element, const ColourSource& source)
+      : decode_(typeIn(plan, element, kRed), source.isLinear), isGrey_(plan.isGrey), hasAlpha_(plan.hasAlpha) {
+    const NumberType type = typeIn(plan, element, kAlpha);
+    alphaScale_ = isInteger(type) ? static_cast<double>(maxOf(type)) : 1;
+  }
+  glm::vec4 operator()(const Numbers& n) const {
+    const double alpha = hasAlpha_ ? static_cast<double>(n[kAlpha]) / alphaScale_ : 1;
+    return {decode_(n[kRed]), decode_(n[isGrey_ ? kRed : kGreen]), decode_(n[isGrey_ ? kRed : kBlue]),
+            static_cast<float>(std::clamp(alpha, 0.0, 1.0))};
+  }
+
+ private:
+  static NumberType typeIn(const VertexPlan& plan, const Element& element, Slot slot) {
+    const auto found = static_cast<std::size_t>(std::ranges::find(plan.slots, slot) - plan.slots.begin());
+    return found < plan.slots.size() ? element.properties[found].type : NumberType::uint8;
+  }
+
+  ColourDecoder decode_;
+  bool isGrey_, hasAlpha_;
+  double alphaScale_;
+};
 
 /// Reads the elements in their order. `Values` is TextValues or BinaryValues.
 template <class Values>
 class Body {
  public:
-  Body(const scene::SceneFile& file, const Header& header, const Values& values, scene::DiagnosticLog& log)
-      : file_(file), header_(header), values_(values), log_(log) {}
+  Body(const scene::SceneFile& file, const Header& header, const ColourSource& source, const Values& values,
+       scene::DiagnosticLog& log)
+      : file_(file), header_(header), source_(source), values_(values), log_(log) {}
 
   Contents read() {
     const Element* const vertex = find("vertex");
     if (!vertex) fail("the file has no element \"vertex\"");
-    const std::optional<VertexPlan> plan = planOf(*vertex);
+    const std::optional<VertexPlan> plan = planOf(*vertex, source_.isOfFaces ? "" : source_.name);
     if (!plan) fail("the vertices have no positions: the properties x, y and z");
     plan_ = *plan;
     vertexCount_ = vertex->count;
@@ -124,31 +152,31 @@ class Body {
   void readVertices(const Element& vertex) {
     noteUse(vertex, [&](std::size_t i) { return plan_.slots[i] != kSlotCount; });
     reserve(vertex);
-    ColourDecoder decode(typeIn(vertex, kRed));
-    const NumberType alphaType = typeIn(vertex, kAlpha);
-    std::array<float, kSlotCount + 1> numbers{};
+    const ColourReader colourOf(plan_, vertex, source_);
+    Numbers numbers{};
     for (std::uint64_t row = 0; row < vertex.count; ++row) {
       values_.beginRow(vertex, row);
-      for (std::size_t i = 0; i < plan_.slots.size(); ++i) {
-        const Property& property = vertex.properties[i];
-        const std::uint8_t slot = plan_.slots[i];
-        if (slot == kSlotCount) {
-          skip(property);
-          continue;
-        }
-        numbers[slot] = values_.real(property.type);
-        const bool isNormal = slot >= kNx && slot <= kNz;
-        if (!isNormal && std::isnan(numbers[slot])) {
-          values_.fail(fmt::format("{} is not a finite number of single precision", quote(property.name)));
-        }
-      }
+      for (std::size_t i = 0; i < plan_.slots.size(); ++i) read(vertex.properties[i], plan_.slots[i], numbers);
       values_.endRow();
-      addVertex(numbers, decode, alphaType);
+      addVertex(numbers, colourOf);
     }
     contents_.counts["vertex"] = vertex.count;
   }
 
-  void addVertex(const std::array<float, kSlotCount + 1>& n, const ColourDecoder& decode, NumberType alphaType) {
+  /// Reads the number of a slot, or passes over a property without one.
+  void read(const Property& property, std::uint8_t slot, Numbers& numbers) {
+    if (slot == kSlotCount) {
+      skip(property);
+      return;
+    }
+    numbers[slot] = values_.real(property.type);
+    const bool isNormal = slot >= kNx && slot <= kNz;
+    if (!isNormal && std::isnan(numbers[slot])) {
+      values_.fail(fmt::format("{} is not a finite number of single precision", quote(property.name)));
+    }
+  }
+
+  void addVertex(const Numbers& n, const ColourReader& colourOf) {
     scene::Mesh& mesh = contents_.mesh;
     mesh.positions.emplace_back(n[kX], n[kY], n[kZ]);
     if (plan_.hasNormals) {
@@ -157,16 +185,8 @@ class Body {
     }
     if (plan_.hasTexCoords) mesh.texCoords[0].emplace_back(n[kS], n[kT]);
     if (!plan_.hasColours) return;
-    const float alpha = plan_.hasAlpha ? alphaOf(n[kAlpha], alphaType) : 1;
-    if (alpha < 1) contents_.hasTransparency = true;
-    mesh.colours.emplace_back(decode(n[kRed]), decode(n[kGreen]), decode(n[kBlue]), alpha);
-  }
-
-  NumberType typeIn(const Element& vertex, Slot slot) const {
-    const auto found = std::ranges::find(plan_.slots, slot) - plan_.slots.begin();
-    return static_cast<std::size_t>(found) < plan_.slots.size()
-               ? vertex.properties[static_cast<std::size_t>(found)].type
-               : NumberType::uint8;
+    mesh.colours.push_back(colourOf(n));
+    if (mesh.colours.back().w < 1) contents_.hasTransparency = true;
   }
 
   /// Reserves memory, after a check of what the vertices and the faces of the file need.
@@ -202,13 +222,17 @@ class Body {
     if (!list && element.count > 0) {
       fail(fmt::format("the element {} has no list \"vertex_indices\"", quote(element.name)));
     }
-    noteUse(element, [&](std::size_t i) { return i == list; });
+    const VertexPlan plan = facePlanOf(element, source_.isOfFaces ? source_.name : "");
+    const ColourReader colourOf(plan, element, source_);
+    noteUse(element, [&](std::size_t i) { return i == list || plan.slots[i] != kSlotCount; });
     if (!isStrip) contents_.mesh.indices.reserve(3 * static_cast<std::size_t>(element.count));
+    if (plan.hasColours) requireBytes(element.count * sizeof(glm::vec4));
+    Numbers numbers{};
     for (std::uint64_t row = 0; row < element.count; ++row) {
       values_.beginRow(element, row);
       for (std::size_t i = 0; i < element.properties.size(); ++i) {
         if (i != list) {
-          skip(element.properties[i]);
+          read(element.properties[i], plan.slots[i], numbers);
         } else if (isStrip) {
           readStrip(element.properties[i]);
         } else {
@@ -216,6 +240,7 @@ class Body {
         }
       }
       values_.endRow();
+      if (plan.hasColours) contents_.faceColours.resize(contents_.mesh.indices.size() / 3, colourOf(numbers));
     }
     contents_.counts[isStrip ? "strip" : "face"] = element.count;
   }
@@ -300,6 +325,7 @@ class Body {
 
   const scene::SceneFile& file_;
   const Header& header_;
+  const ColourSource& source_;
   Values values_;
   scene::DiagnosticLog& log_;
   VertexPlan plan_{};
@@ -310,20 +336,22 @@ class Body {
 };
 
 template <class Values>
-Contents readBody(const scene::SceneFile& file, const Header& header, const Values& values, scene::DiagnosticLog& log) {
-  return Body<Values>(file, header, values, log).read();
+Contents readBody(const scene::SceneFile& file, const Header& header, const ColourSource& source, const Values& values,
+                  scene::DiagnosticLog& log) {
+  return Body<Values>(file, header, source, values, log).read();
 }
 
 }  // namespace
 
-Contents readContents(const scene::SceneFile& file, const Header& header, bool lenient, scene::DiagnosticLog& log) {
+Contents readContents(const scene::SceneFile& file, const Header& header, const ColourSource& source, bool lenient,
+                      scene::DiagnosticLog& log) {
   switch (header.encoding) {
     case Encoding::ascii:
-      return readBody(file, header, TextValues(file, header, lenient, log), log);
+      return readBody(file, header, source, TextValues(file, header, lenient, log), log);
     case Encoding::littleEndian:
-      return readBody(file, header, BinaryValues<false>(file, header), log);
+      return readBody(file, header, source, BinaryValues<false>(file, header), log);
     case Encoding::bigEndian:
-      return readBody(file, header, BinaryValues<true>(file, header), log);
+      return readBody(file, header, source, BinaryValues<true>(file, header), log);
   }
   throw InternalError("an encoding of PLY without a reader");
 }

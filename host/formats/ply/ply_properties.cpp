@@ -15,17 +15,15 @@ struct Names {
 };
 
 // Among several sets of the same slots, the first is used.
-constexpr std::array kSets{Names{kX, {"x", "y", "z"}},
-                           Names{kNx, {"nx", "ny", "nz"}},
-                           Names{kRed, {"red", "green", "blue"}},
-                           Names{kRed, {"diffuse_red", "diffuse_green", "diffuse_blue"}},
-                           Names{kRed, {"r", "g", "b"}},
-                           Names{kRed, {"color_r", "color_g", "color_b"}},
-                           Names{kRed, {"color_0", "color_1", "color_2"}},
-                           Names{kS, {"s", "t"}},
-                           Names{kS, {"u", "v"}},
-                           Names{kS, {"texture_u", "texture_v"}},
-                           Names{kS, {"texture_s", "texture_t"}}};
+constexpr std::array kSets{
+    Names{kX, {"x", "y", "z"}}, Names{kNx, {"nx", "ny", "nz"}},        Names{kS, {"s", "t"}},
+    Names{kS, {"u", "v"}},      Names{kS, {"texture_u", "texture_v"}}, Names{kS, {"texture_s", "texture_t"}}};
+
+constexpr std::array kColourSets{Names{kRed, {"red", "green", "blue"}},
+                                 Names{kRed, {"diffuse_red", "diffuse_green", "diffuse_blue"}},
+                                 Names{kRed, {"r", "g", "b"}}};
+/// Endings of the names of channels, after "_".
+constexpr std::array<std::string_view, 4> kEndings{"rgba", "0123", "1234", "xyzw"};
 
 constexpr std::array<std::string_view, 3> kAlphaNames{"alpha", "diffuse_alpha", "a"};
 
@@ -51,22 +49,57 @@ bool enter(const Names& set, const Element& vertex, VertexPlan& plan) {
   return true;
 }
 
-}  // namespace
+/// Enters the slots of an attribute of three channels, or of one.
+void enterAttribute(std::string_view name, const Element& element, VertexPlan& plan) {
+  for (const std::string_view endings : kEndings) {
+    std::vector<std::size_t> found;
+    for (const char ending : endings) {
+      const std::optional<std::size_t> property = findNumber(element, std::string(name) + '_' + ending);
+      if (!property) break;
+      found.push_back(*property);
+    }
+    if (found.empty()) continue;
+    plan.isGrey = found.size() == 1;
+    plan.hasColours = plan.isGrey || found.size() == 3;
+    for (std::size_t i = 0; plan.hasColours && i < found.size(); ++i)
+      plan.slots[found[i]] = static_cast<std::uint8_t>(kRed + i);
+    return;
+  }
+}
 
-std::optional<VertexPlan> planOf(const Element& vertex) {
-  VertexPlan plan{.slots = std::vector<std::uint8_t>(vertex.properties.size(), kSlotCount)};
-  std::array<bool, kSlotCount> has{};
-  for (const Names& set : kSets) has[set.first] = enter(set, vertex, plan);
-  if (!has[kX]) return std::nullopt;
-  plan.hasNormals = has[kNx];
-  plan.hasColours = std::ranges::count(plan.slots, kRed) > 0;
-  plan.hasTexCoords = std::ranges::count(plan.slots, kS) > 0;
-  for (const std::string_view name : kAlphaNames) {
-    const std::optional<std::size_t> property = findNumber(vertex, name);
+void enterColours(std::string_view name, const Element& element, VertexPlan& plan) {
+  if (name.empty()) return;
+  const auto isEntered = [&](const Names& set) { return enter(set, element, plan); };
+  plan.hasColours = name == "color" && std::ranges::any_of(kColourSets, isEntered);
+  if (!plan.hasColours) enterAttribute(name, element, plan);
+  for (const std::string_view alphaName : kAlphaNames) {
+    const std::optional<std::size_t> property = findNumber(element, alphaName);
     if (!property || !plan.hasColours || plan.hasAlpha) continue;
     plan.slots[*property] = kAlpha;
     plan.hasAlpha = true;
   }
+}
+
+VertexPlan emptyPlan(const Element& element) {
+  return {.slots = std::vector<std::uint8_t>(element.properties.size(), kSlotCount)};
+}
+
+}  // namespace
+
+std::optional<VertexPlan> planOf(const Element& vertex, std::string_view name) {
+  VertexPlan plan = emptyPlan(vertex);
+  std::array<bool, kSlotCount> has{};
+  for (const Names& set : kSets) has[set.first] = enter(set, vertex, plan);
+  if (!has[kX]) return std::nullopt;
+  plan.hasNormals = has[kNx];
+  plan.hasTexCoords = std::ranges::count(plan.slots, kS) > 0;
+  enterColours(name, vertex, plan);
+  return plan;
+}
+
+VertexPlan facePlanOf(const Element& face, std::string_view name) {
+  VertexPlan plan = emptyPlan(face);
+  enterColours(name, face, plan);
   return plan;
 }
 

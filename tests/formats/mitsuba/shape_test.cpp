@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "host/image/colour_transfer.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/formats/mitsuba/mitsuba_file.h"
 
@@ -186,6 +187,47 @@ TEST_CASE("Meshes of files have the normals and coordinates that Mitsuba gives t
   CHECK(errors.find("broken.obj:2:") != std::string::npos);
   CHECK(xmlErrorsOf(shape("ply", R"(<string name="filename" value="no.ply"/>)"), {}, "3.0.0", folder.path(""))
             .find("test.xml:2:1: ") != std::string::npos);
+}
+
+// Two triangles with a common side: their colours need vertices of their own, whose normals stay smooth.
+TEST_CASE("Attributes of meshes are the colours of vertices or of faces") {
+  const TemporaryFolder folder;
+  folder.write(
+      "roof.ply",
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty "
+      "uchar red\nproperty uchar green\nproperty uchar blue\nproperty float pair_0\nproperty float "
+      "pair_1\nelement face 2\nproperty float color_r\nproperty float color_g\nproperty float color_b\nproperty "
+      "list uchar int vertex_indices\nproperty double weight_1\nend_header\n0 0 0 0 51 255 0 0\n1 0 0 0 0 0 0 "
+      "0\n0 1 0 0 0 0 0 0\n1 0 1 0 0 0 0 0\n0.25 0.5 2 3 0 1 2 0.125\n1 0 0 3 1 0 3 0.75\n");
+  const auto withAttribute = [](const std::string& name) {
+    return shape(
+        "ply",
+        R"(<string name="filename" value="roof.ply"/><bsdf type="diffuse"><texture type="mesh_attribute" name="reflectance"><string name="name" value=")" +
+            name + R"("/></texture></bsdf>)");
+  };
+  const auto meshOf = [&](const std::string& name) {
+    return loadXml(withAttribute(name), {}, "3.0.0", folder.path("")).scene.meshes.at(0);
+  };
+  const scene::Mesh faces = meshOf("face_color");
+  const glm::vec4 first(0.25f, 0.5f, 1, 1), second(1, 0, 0, 1);
+  CHECK(faces.colours == std::vector<glm::vec4>{first, first, first, second, second, second});
+  CHECK(faces.indices == std::vector<std::uint32_t>{0, 1, 2, 3, 4, 5});
+  REQUIRE(faces.normals.size() == 6);
+  CHECK(faces.positions[4] == glm::vec3(0));
+  CHECK(faces.normals[0] == faces.normals[4]);
+  CHECK(near(faces.normals[0], glm::normalize(glm::dvec3(0, 1, 2))));
+  CHECK(meshOf("face_weight").colours[3] == glm::vec4(0.75f, 0.75f, 0.75f, 1));
+  const scene::Mesh vertices = meshOf("vertex_color");
+  REQUIRE(vertices.colours.size() == 4);
+  CHECK(near(glm::vec3(vertices.colours[0]), {0, image::srgbDecode(0.2), 1}));  // integers are encoded
+  const auto errorOf = [&](const std::string& name) {
+    return xmlErrorsOf(withAttribute(name), {}, "3.0.0", folder.path(""));
+  };
+  CHECK_THAT(errorOf("vertex_pair"), Catch::Contains("no attribute \"vertex_pair\" of one or three channels"));
+  CHECK_THAT(errorOf("vertex_weight"), Catch::Contains("no attribute \"vertex_weight\""));
+  CHECK_THAT(errorOf("color"), Catch::Contains("begins neither with \"vertex_\" nor with \"face_\""));
+  const scene::LoadedScene white = loadXml(withAttribute("face_pair"), {.lenient = true}, "3.0.0", folder.path(""));
+  CHECK(white.scene.meshes.at(0).colours.empty());
 }
 
 TEST_CASE("Meshes of Mitsuba's binary format are read in both versions and precisions") {
