@@ -90,12 +90,12 @@ std::string_view streamOf(std::string_view bytes, std::int64_t index, const std:
   const auto version = numberAt<std::uint16_t>(bytes, 2);
   if (version != 3 && version != 4)
     throw FileError(fmt::format("{}: serialized meshes of version {} are not read", name, version));
-  const auto count = numberAt<std::uint32_t>(bytes, bytes.size() - sizeof(std::uint32_t));
+  const std::size_t tableEnd = bytes.size() - sizeof(std::uint32_t);
+  const auto count = numberAt<std::uint32_t>(bytes, tableEnd);
   const std::size_t width = version == 4 ? sizeof(std::uint64_t) : sizeof(std::uint32_t);
-  if (index < 0 || index >= count || count > bytes.size() / width) {
+  if (index < 0 || index >= count || count > tableEnd / width) {
     throw FileError(fmt::format("{}: there is no mesh {}: the file has {}, counted from 0", name, index, count));
   }
-  const std::size_t tableEnd = bytes.size() - sizeof(std::uint32_t);
   const std::size_t entry = tableEnd - width * (count - static_cast<std::size_t>(index));
   const std::uint64_t offset = version == 4 ? numberAt<std::uint64_t>(bytes, entry)
                                             : numberAt<std::uint32_t>(bytes, entry);
