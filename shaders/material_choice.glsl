@@ -24,7 +24,7 @@ bool takeChoice(inout Surface surface, vec3 direction, float number) {
     bool isMapped = kHasTextures && (surface.attributes & kGeometryTexCoords) != 0u;
     uint reference = isMapped ? textureOf(index, kSlotBaseColour) : 0u;
     if (reference != 0u) weight *= alphaOf(textureTexel(reference, surface.texCoords, surface.jitter.xy));
-    takesSecond = number < weight;
+    takesSecond = number < weight * surface.alpha;
   }
   uint flags = surface.kind & ((1u << kMaterialShift) - 1u);
   surface.kind = flags | (takesSecond ? choice.y : choice.x) << kMaterialShift;

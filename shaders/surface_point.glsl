@@ -20,6 +20,7 @@ struct Surface {
   bool flatSurface; // the origin of rays that start here is offset
   vec4 texCoords;   // texture coordinates, set 0 in xy and set 1 in zw; 0 if the primitive has none
   vec3 colour;      // vertex colour; 1 if the primitive has none
+  float alpha;      // of the vertex colour, in scenes with choices of materials
   vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
   vec3 anisotropyDirection;  // direction in which the material is rougher; 0: none
   bool isMapped;    // `shading` is that of a normal map
@@ -47,7 +48,11 @@ void triangleSurface(inout Surface surface, vec3 direction, vec3 p0, vec3 p1, ve
   surface.attributes = attributes.flags;
   if (kHasSmooth && hasAll(attributes, kGeometryNormals)) smoothTriangle(surface, attributes, weights);
   if (kHasTexCoords && hasAll(attributes, kGeometryTexCoords)) surface.texCoords = texCoordsAt(attributes, weights);
-  if (kHasColours && hasAll(attributes, kGeometryColours)) surface.colour = colourAt(attributes, weights).xyz;
+  if (kHasColours && hasAll(attributes, kGeometryColours)) {
+    vec4 colour = colourAt(attributes, weights);
+    surface.colour = colour.xyz;
+    if (kHasChoices) surface.alpha = colour.w;
+  }
   if (kHasTangents && hasAll(attributes, kGeometryTangents)) {
     surface.tangent = tangentAt(attributes, surface.instance, weights);
   }
@@ -78,6 +83,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   surface.flatSurface = true;
   surface.texCoords = vec4(0.0);
   surface.colour = vec3(1.0);
+  surface.alpha = 1.0;
   surface.tangent = vec4(0.0);
   surface.anisotropyDirection = vec3(0.0);
   surface.isMapped = false;

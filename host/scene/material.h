@@ -76,8 +76,8 @@ struct Opacity {
 struct MaterialChoice {
   std::uint32_t first = 0;  ///< index in Scene::materials
   std::uint32_t second = 0;
-  /// The probability of the second material, in [0, 1], is this factor times the alpha of the base colour's texture.
-  /// Empty: the first material is that of the front, the second that of the back.
+  /// The probability of the second material, in [0, 1], is this factor times the alpha of the base colour's texture and
+  /// of the vertex colours. Empty: the first material is that of the front, the second that of the back.
   std::optional<float> weight{};
 
   bool operator==(const MaterialChoice&) const = default;

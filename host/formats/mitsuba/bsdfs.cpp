@@ -362,10 +362,10 @@ Bsdf Bsdfs::blend(const Object& bsdf, int depth) {
   Bsdf first = blended(*children[0], depth), second = blended(*children[1], depth);
   if (first.isInvisible && second.isInvisible) return first;
   if (first.isInvisible) {
-    second.material.opacity = scene::Opacity{.factor = factor, .texture = weight.reference};
+    setOpacity(weight, bsdf, second);
     return second;
   }
-  if (second.isInvisible && !weight.reference) {
+  if (second.isInvisible && !weight.reference && !weight.attribute) {
     first.material.opacity = scene::Opacity{.factor = 1 - factor};
     return first;
   }
@@ -379,6 +379,7 @@ Bsdf Bsdfs::blend(const Object& bsdf, int depth) {
                     "colours both BSDFs");
   }
   Bsdf result{.choices = {std::move(first), std::move(second)}, .weight = factor};
+  result.attribute = weight.attribute;
   set(result.material, TextureSlot::baseColour, weight.reference);
   return result;
 }
@@ -389,9 +390,19 @@ Bsdf Bsdfs::mask(const Object& bsdf, int depth) {
   if (result.material.opacity || result.isInvisible) {
     throw PlacedError{bsdf.place, "a BSDF \"mask\" contains neither another \"mask\" nor \"null\""};
   }
-  result.material.opacity = scene::Opacity{.factor = opacity.reference ? 1 : static_cast<float>(opacity.factor.x),
-                                           .texture = opacity.reference};
+  setOpacity(opacity, bsdf, result);
   return result;
+}
+
+void Bsdfs::setOpacity(const Texture& opacity, const Object& bsdf, Bsdf& result) {
+  const float factor = opacity.reference ? 1 : static_cast<float>(std::clamp(opacity.factor.x, 0.0, 1.0));
+  result.material.opacity = scene::Opacity{.factor = factor, .texture = opacity.reference};
+  if (result.attribute) {
+    report_.deviate(bsdf.place, "an opacity of a BSDF that an attribute of the mesh colours is not rendered exactly",
+                    "leaves out the alpha of the attribute");
+  } else {
+    result.attribute = opacity.attribute;
+  }
 }
 
 /// Sets the normal map of a BSDF, or of each of those between which it is a choice.

@@ -20,14 +20,23 @@ struct Bsdf {
   std::optional<float> weight{};
   bool isInvisible = false;  ///< "null": light passes the surface as if it were not there
   bool isTwoSided = false;   ///< both sides scatter light alike; else the back is black. Not of `choices`
-  std::optional<MeshAttribute> attribute{};  ///< scales the colour; a mesh without it is white
+  /// Scales the colour, the opacity, or the weight of a choice; a mesh without it is white.
+  std::optional<MeshAttribute> attribute{};
 };
+
+/// Calls `visit` with a BSDF, and with those between which it is a choice.
+template <class Visit>
+void forEachBsdf(Bsdf& bsdf, const Visit& visit) {
+  visit(bsdf);
+  for (Bsdf& choice : bsdf.choices) forEachBsdf(choice, visit);
+}
 
 /// Calls `visit` with each BSDF that is no choice between others.
 template <class Visit>
 void forEachLeaf(Bsdf& bsdf, const Visit& visit) {
-  if (bsdf.choices.empty()) visit(bsdf);
-  for (Bsdf& choice : bsdf.choices) forEachLeaf(choice, visit);
+  forEachBsdf(bsdf, [&](Bsdf& each) {
+    if (each.choices.empty()) visit(each);
+  });
 }
 
 /// Reads BSDFs, each once. Those that are not rendered are errors, or with `--lenient` replaced by others.
@@ -60,6 +69,7 @@ class Bsdfs {
   Bsdf replaced(const Object& bsdf, const char* by, int depth);
   Bsdf nested(const Object& bsdf, int depth);
 
+  void setOpacity(const Texture& opacity, const Object& bsdf, Bsdf& result);
   void setNormalMap(const scene::TextureReference& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
   void setRoughness(const Object& bsdf, scene::Material& material);
   void requireGgx(const Object& bsdf);

@@ -22,6 +22,7 @@
 #include "host/formats/mitsuba/place_mesh.h"
 #include "host/formats/mitsuba/serialized_mesh.h"
 #include "host/formats/mitsuba/transform.h"
+#include "host/image/film.h"
 #include "host/scene/placement.h"
 
 namespace candela::mitsuba {
@@ -147,8 +148,12 @@ std::uint32_t Shapes::addMaterial(const Object* bsdf, const Object* emitter, con
     emission = areaEmission(*emitter, textures_, report_);
     look.emits = emission.factor != glm::dvec3(0);
   }
-  forEachLeaf(surface, [&](const Bsdf& leaf) {
-    if (leaf.attribute) look.attribute = leaf.attribute;
+  forEachBsdf(surface, [&](const Bsdf& each) {
+    if (each.attribute && look.attribute && each.attribute != look.attribute) {
+      report_.deviate(bsdf->place, "a second attribute of the mesh is not rendered", "takes the first one");
+    } else if (each.attribute) {
+      look.attribute = each.attribute;
+    }
   });
   const Object* const named = bsdf && !bsdf->id.empty() ? bsdf : &shape;
   const std::string name = named->id.empty() ? fmt::format("material.{}", materialCount_) : named->id;
@@ -279,7 +284,8 @@ Shapes::StoredMesh* Shapes::meshOf(const Object& shape, const Look& look) {
   if (look.isInvisible) return nullptr;
   const auto& tangentTexture = tangentTextureOf(scene_, look.material);
   std::string key = fmt::format("{} {} {} {} ", shape.type, hasFaceNormals, flipsTexCoords, isFlipped);
-  if (look.attribute) key += fmt::format("{} {} ", nameOf(*look.attribute), look.attribute->name.size());
+  if (look.attribute)
+    key += fmt::format("{} {} {} ", nameOf(*look.attribute), look.attribute->name.size(), look.attribute->isAlpha);
   if (tangentTexture) {
     const auto& [s, t] = std::pair(tangentTexture->rowS, tangentTexture->rowT);
     key += fmt::format("{} {} {} {} {} {} ", s.x, s.y, s.z, t.x, t.y, t.z);
@@ -335,7 +341,11 @@ scene::Mesh Shapes::readFile(const Object& shape, const std::filesystem::path& p
 /// Leaves out the attributes that the material does not use, and adds tangents.
 void Shapes::finish(scene::Mesh& mesh, const Look& look) const {
   if (!look.attribute) mesh.colours.clear();
-  for (glm::vec4& colour : mesh.colours) colour.w = 1;
+  for (glm::vec4& colour : mesh.colours) {
+    const bool isAlpha = look.attribute->isAlpha;
+    colour = isAlpha ? glm::vec4(glm::vec3(1), static_cast<float>(image::luminance(glm::dvec3(colour))))
+                     : glm::vec4(glm::vec3(colour), 1);
+  }
   const auto& tangentTexture = tangentTextureOf(scene_, look.material);
   if (!tangentTexture || mesh.texCoords[0].empty()) return;
   scene::addMikkTangents(mesh, *tangentTexture);

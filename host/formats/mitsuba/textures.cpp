@@ -196,12 +196,14 @@ Texture Textures::readAttribute(const Object& texture, Encoding encoding) {
     throw PlacedError{texture.place,
                       fmt::format("the attribute {} begins neither with \"vertex_\" nor with \"face_\"", quote(name))};
   }
-  if (encoding != Encoding::srgb) {
-    report_.deviate(texture.place, fmt::format("the attribute {} is rendered as a colour alone", quote(name)),
+  if (encoding != Encoding::srgb && encoding != Encoding::alpha) {
+    report_.deviate(texture.place,
+                    fmt::format("the attribute {} is rendered as a colour, a weight or an opacity alone", quote(name)),
                     "renders white instead");
     return {};
   }
-  return {glm::dvec3(scale), {}, MeshAttribute{isOfFaces, name.substr(name.find('_') + 1)}};
+  const MeshAttribute attribute{isOfFaces, name.substr(name.find('_') + 1), encoding == Encoding::alpha};
+  return {glm::dvec3(scale), {}, attribute};
 }
 
 const Textures::Source* Textures::load(const std::filesystem::path& path, const Object& texture) {

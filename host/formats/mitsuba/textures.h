@@ -16,7 +16,8 @@ namespace candela::mitsuba {
 /// Colours that a mesh states for its vertices or its faces.
 struct MeshAttribute {
   bool isOfFaces = false;
-  std::string name{};  ///< without "vertex_" or "face_"
+  std::string name{};    ///< without "vertex_" or "face_"
+  bool isAlpha = false;  ///< their luminance is a weight or an opacity, which Mesh::colours get as alpha
 
   bool operator==(const MeshAttribute&) const = default;
 };

@@ -7,6 +7,10 @@ namespace candela::reference {
 namespace {
 
 double weightAt(const TextureReader& textures, const Surface& surface, double factor) {
+  const scene::Primitive& primitive = textures.scene.primitives[surface.primitive];
+  if (primitive.kind == scene::PrimitiveKind::triangle && !meshOf(textures.scene, primitive).colours.empty()) {
+    factor *= surface.attributes.colour.w;
+  }
   const auto texel = textures.at(surface, scene::TextureSlot::baseColour);
   return texel ? factor * alphaOf(*texel) : factor;
 }

@@ -103,7 +103,7 @@ struct ImageChoices {
 struct ImageSettings : ImageChoices {
   Extent size{};                   ///< pixels, each in [1, 65535]
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
-  PixelFilter filter;
+  PixelFilter filter{};
   bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin
   /// Maximum length of a path in rays, counting the camera ray. Whitted: at most kMaxTreeDepth.
   std::uint32_t maxDepth = 64;

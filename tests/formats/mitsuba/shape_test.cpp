@@ -217,6 +217,16 @@ TEST_CASE("Attributes of meshes are the colours of vertices or of faces") {
   CHECK(faces.normals[0] == faces.normals[4]);
   CHECK(near(faces.normals[0], glm::normalize(glm::dvec3(0, 1, 2))));
   CHECK(meshOf("face_weight").colours[3] == glm::vec4(0.75f, 0.75f, 0.75f, 1));
+  const std::string weight = R"(><string name="name" value="face_weight"/></texture>)";
+  for (
+      const std::string& bsdf :
+      {R"(<bsdf type="blendbsdf"><bsdf type="diffuse"/><bsdf type="diffuse"/><texture type="mesh_attribute" name="weight")" +
+           weight,
+       R"(<bsdf type="mask"><bsdf type="diffuse"/><texture type="mesh_attribute" name="opacity")" + weight}) {
+    const std::string ply = R"(<string name="filename" value="roof.ply"/>)";
+    const scene::Scene weighted = loadXml(shape("ply", ply + bsdf + "</bsdf>"), {}, "3.0.0", folder.path("")).scene;
+    CHECK(weighted.meshes.at(0).colours.at(3) == glm::vec4(1, 1, 1, 0.75f));
+  }
   const scene::Mesh vertices = meshOf("vertex_color");
   REQUIRE(vertices.colours.size() == 4);
   CHECK(near(glm::vec3(vertices.colours[0]), {0, image::srgbDecode(0.2), 1}));  // integers are encoded

@@ -184,6 +184,19 @@ TEST_CASE("the weight of a blend is its factor times the alpha of its texture") 
   });
 }
 
+TEST_CASE(
+    "the weight of a blend is also scaled by the alpha of vertex colours, whose colour is that of both materials") {
+  onBothTracers([](const RenderFunction& render) {
+    SceneBuilder b = sheet(false);
+    const std::uint32_t either = choose(b, diffuseMaterial(vec3(0)), diffuseMaterial(vec3(1)), 0.5f);
+    scene::Mesh mesh = square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    mesh.colours.assign(4, {0.5f, 0.5f, 0.5f, 0.25f});
+    addMesh(b.scene, std::move(mesh), either);
+    const double mean = meanLuminance(render(b.scene, squareSettings(16, 1024)).film);
+    CHECK(std::abs(mean - 0.5 * 0.125) < 5 * 0.5 * std::sqrt(0.125 * 0.875 / (256 * 1024)));
+  });
+}
+
 TEST_CASE("a blend that emits is found by light sampling and by paths") {
   onBothTracers([](const RenderFunction& render) {
     const auto lit = [&](bool isBlend, bool samplesLights) {
