@@ -5,7 +5,7 @@
 #define CANDELA_LISTS_FEATURES_H
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in shaders/shared/specialization.h; id 109 is free.
+// use are compiled out. Other ids are in shaders/shared/specialization.h; id 110 is free.
 #define CANDELA_FEATURES(X)                                                                                 \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                              \
   X(triangles, kHasTriangles, 3)                                                                            \
@@ -51,6 +51,7 @@
   X(anisotropy, kHasAnisotropy, 83)                /* some surface is rougher in one direction */           \
   X(dispersion, kHasDispersion, 86)                /* some volume has an index for each channel */          \
   X(plastics, kHasPlastic, 107)                    /* some surface is plastic */                            \
+  X(interfaces, kHasInterfaces, 109)               /* some surface is a single interface */                 \
   X(choices, kHasChoices, 110)                     /* some material is a choice between two */              \
   X(bumpMaps, kHasBumpMaps, 111)                   /* some normal map has heights */
 

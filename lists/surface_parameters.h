@@ -13,7 +13,7 @@
   RECORD(film, kSurfaceFilm, 6u, kHasFilm)                           \
   RECORD(eta, kSurfaceEta, 7u, kHasConductors)                       \
   RECORD(kappa, kSurfaceKappa, 8u, kHasConductors || kHasDispersion) \
-  RECORD(plastic, kSurfacePlastic, 9u, kHasPlastic)
+  RECORD(plastic, kSurfacePlastic, 9u, kHasPlastic || kHasInterfaces)
 
 // COLOUR(member, default, record): three floats, in x, y and z of the record. NUMBER(member, default, record, lane).
 // FLAG(member, default): a device derives it. The members are those of scene::SurfaceParameters and of GLSL's struct of

@@ -14,6 +14,7 @@ float weightSum(Material m) { return m.diffuseWeight + m.glossyWeight + m.dielec
 // Returns whether some lobe with a density scatters to this side of the surface. Light sampling can only contribute
 // there.
 bool scattersTo(Material m, bool transmitted) {
+  if (kHasSurfaces && m.isSurface && isSmoothInterface(m.surface)) return false;
   if (kHasSurfaces && m.isSurface) return !transmitted || (kHasTransmission && m.surface.transmissionWeight > 0.0);
   return !transmitted && !m.mirror && m.diffuseWeight + m.glossyWeight > 0.0;
 }
@@ -74,6 +75,10 @@ vec3 evaluateBsdf(Material m, vec3 wo, vec3 wi, out float pdf) {
 void prepareLobes(inout Material m, vec3 wo, bool outside) {
   if (!kHasSurfaces || !m.isSurface) return;
   m.outside = outside;
+  if (isBareInterface(m.surface)) {
+    m.lobes = interfaceLobes(m.surface);
+    return;
+  }
   bool disperses = kHasDispersion && m.surface.transmissionDispersionScale > 0.0;
   m.lobes = lobesAt(disperses ? inChannel(m.surface, m.channel) : m.surface, wo, outside);
 }

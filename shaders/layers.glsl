@@ -75,7 +75,8 @@ bool seenThrough = false;
 // Returns whether layers see through the surface: a perfect mirror, or smooth glass without another lobe.
 bool isPerfect(Material m) {
   bool isGlass = kHasDielectric && m.dielectricWeight > 0.0 && m.diffuseWeight == 0.0 && m.glossyWeight == 0.0;
-  return !(kHasSurfaces && m.isSurface) && (kHasMirror && m.mirror || isGlass);
+  if (kHasSurfaces && m.isSurface) return isSmoothInterface(m.surface);
+  return kHasMirror && m.mirror || isGlass;
 }
 
 // Notes the length of a path whose hits before this one were seen through. Returns whether the layers show this hit.

@@ -6,6 +6,10 @@
 #include "textures.glsl"
 #include "load_material.glsl"
 
+// Returns whether a surface is a single interface, rough or smooth: docs/light-transport.md section 5.15.
+bool isBareInterface(SurfaceParameters s) { return kHasInterfaces && s.plastic.x >= float(kInterfaceSmooth); }
+bool isSmoothInterface(SurfaceParameters s) { return kHasInterfaces && s.plastic.x == float(kInterfaceSmooth); }
+
 void scaleBaseColour(inout Material material, vec3 scale) {
   if (kHasSurfaces) material.surface.baseColour *= scale;
   material.diffuse *= scale;

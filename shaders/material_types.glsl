@@ -19,7 +19,7 @@ struct SurfaceParameters {
   bool isConductor;
   vec3 eta;    // complex index of refraction of a conductor
   vec3 kappa;
-  vec4 plastic;  // the record of plastic: scene_rows.h
+  vec4 plastic;  // the record of plastic or of a bare interface: scene_rows.h
 };
 
 // A thin film on a dielectric, as seen from one direction: section 5.11.

@@ -110,6 +110,10 @@ vec3 facetScattering(Material m, Facets facets, vec3 wo, vec3 wi, bool transmitt
 BsdfSample leavingFacet(Material m, Facets facets, vec3 wo, BsdfSample next) {
   bool transmitted = next.lobe == kLobeRefract;
   bool keeps = (dot(next.wi, facets.geometric) > 0.0) != transmitted;
+  if (kHasInterfaces && next.pdf == 0.0) {
+    if (!keeps) next.wi = mirroredAt(facets.geometric, next.wi);
+    return next;
+  }
   vec3 sum = next.weight * next.pdf;
   if (!keeps) {
     next.wi = next.lobe == kLobeDiffuse ? scatteredAgain(facets, next.wi) : mirroredAt(facets.geometric, next.wi);

@@ -3,7 +3,7 @@
 #define CANDELA_PLASTIC_GLSL
 #include "fresnel.glsl"
 #include "material_types.glsl"
-#include "microfacets.glsl"
+#include "separable_microfacets.glsl"
 
 // Returns the fraction of the light from outside at this cosine that the boundary transmits.
 float plasticTransmittance(Plastic plastic, float cosine) {
@@ -39,45 +39,18 @@ float addPlastic(SurfaceParameters s, vec3 wo, inout SurfaceLobes lobes) {
   return luminance(s.specularColour) * (1.0 - entering);
 }
 
-// Distribution of normals such that the integral of D cosH is 1.
-float plasticDistribution(Plastic plastic, vec3 h, float alpha) {
-  if (plastic.kind != kPlasticBeckmann) return ggxDistribution(h, alpha);
-  float squared = h.z * h.z;
-  vec2 slope = h.xy / alpha;
-  float exponent = dot(slope, slope) / squared;
-  return exponent > 80.0 ? 0.0 : exponential(-exponent) / (kPi * alpha * alpha * squared * squared);
-}
-
-// Smith's masking for one direction; for Beckmann, the rational function of Walter et al. (2007).
-float plasticMasking(Plastic plastic, vec3 w, float alpha) {
-  if (plastic.kind != kPlasticBeckmann) return 2.0 * w.z / (w.z + stretchedLength(w, alpha));
-  float slope = alpha * length(w.xy);
-  if (w.z >= 1.6 * slope) return 1.0;
-  float a = w.z / slope;
-  return a * (3.535 + 2.181 * a) / (1.0 + a * (2.276 + 2.577 * a));
-}
-
-vec3 samplePlasticNormal(Plastic plastic, vec2 u, vec3 wo, float alpha) {
-  if (plastic.kind != kPlasticBeckmann) return sampleVisibleNormal(u, wo, vec2(alpha));
-  vec3 disc = sampleDisc(u);
-  float q = min(1.0 - disc.z, 1.0 - 1.0 / 16777216.0);
-  if (q <= 0.0) return vec3(0.0, 0.0, 1.0);
-  return unit(vec3(alpha * sqrt(-logOneMinus(q) / q) * disc.xy, 1.0));
-}
-
 // Returns f and the pdf of plastic without sheen and coat, for wi.z > 0.
 vec3 evaluatePlastic(SurfaceLobes lobes, vec3 wo, vec3 wi, out float pdf) {
-  float alpha = lobes.alpha.y;
+  bool isBeckmann = lobes.plastic.kind == kPlasticBeckmann;
   vec3 h = unit(wo + wi);
   float cosOH = min(dot(wo, h), 1.0);
-  float d = plasticDistribution(lobes.plastic, h, alpha);
-  float maskingO = plasticMasking(lobes.plastic, wo, alpha);
-  bool isVisible = lobes.plastic.kind != kPlasticBeckmann;
-  float normalPdf = isVisible ? d * maskingO / wo.z : d * h.z / cosOH;  // divided by wo.h
+  float d = separableDistribution(isBeckmann, h, lobes.alpha);
+  float maskingO = separableMasking(isBeckmann, wo, lobes.alpha);
+  float normalPdf = separableNormalPdf(isBeckmann, d, maskingO, h, wo.z, cosOH);
   pdf = lobes.diffuseProbability * (wi.z / kPi) + 0.25 * lobes.specularProbability * normalPdf;
   float g;
   float reflectance = fresnelReflectance(cosOH, lobes.plastic.ior, g);
-  float shape = d * maskingO * plasticMasking(lobes.plastic, wi, alpha) / (4.0 * wo.z * wi.z);
+  float shape = d * maskingO * separableMasking(isBeckmann, wi, lobes.alpha) / (4.0 * wo.z * wi.z);
   return lobes.diffuse * (plasticFactor(lobes.plastic, wi.z) / kPi) + lobes.specular * (reflectance * shape);
 }
 

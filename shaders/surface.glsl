@@ -1,7 +1,8 @@
-// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.14. Directions are in the local frame of the
+// Surfaces with OpenPBR's parameters: docs/light-transport.md sections 5.4 to 5.15. Directions are in the local frame of the
 // shading normal and point away from the surface.
 #ifndef CANDELA_SURFACE_GLSL
 #define CANDELA_SURFACE_GLSL
+#include "bare_interface.glsl"
 #include "bsdf_sample.glsl"
 #include "coat.glsl"
 #include "conductor.glsl"
@@ -225,7 +226,7 @@ BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
   } else {
     vec3 h;
     if (kHasPlastic && !coated && lobes.plastic.kind != kPlasticNone) {
-      h = samplePlasticNormal(lobes.plastic, numbers.yz, wo, lobes.alpha.y);
+      h = sampleSeparableNormal(lobes.plastic.kind == kPlasticBeckmann, numbers.yz, wo, lobes.alpha);
     } else {
       h = sampleVisibleNormal(numbers.yz, wo, coated ? vec2(lobes.coatAlpha) : lobes.alpha);
     }
@@ -248,11 +249,13 @@ BsdfSample sampleLobes(SurfaceLobes lobes, vec3 wo, vec3 numbers) {
 
 // Returns f and the pdf of a material with surface parameters.
 vec3 evaluateSurfaceMaterial(Material m, vec3 wo, vec3 wi, out float pdf) {
+  if (isBareInterface(m.surface)) return evaluateInterface(m.surface, m.lobes.alpha, m.outside, wo, wi, pdf);
   if (kHasDispersion && m.surface.transmissionDispersionScale > 0.0) return evaluateChannels(m, wo, wi, pdf);
   return evaluateSurface(m.lobes, wo, wi, pdf);
 }
 
 BsdfSample sampleSurfaceMaterial(Material m, vec3 wo, vec3 numbers) {
+  if (isBareInterface(m.surface)) return sampleInterface(m.surface, m.lobes.alpha, m.outside, wo, numbers);
   BsdfSample result = sampleLobes(m.lobes, wo, numbers);
   if (result.lobe == kLobeNone) return kAbsorbed;
   vec3 f = evaluateSurfaceMaterial(m, wo, result.wi, result.pdf);

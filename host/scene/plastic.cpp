@@ -111,14 +111,14 @@ double smoothInternalReflectance(double ior) { return 0.0636 * ior + 0.6681 + (0
 
 }  // namespace
 
-Plastic makePlastic(PlasticBoundary boundary, float roughness, float ior, bool isNonlinear) {
+Plastic makePlastic(Interface boundary, float roughness, float ior, bool isNonlinear) {
   Plastic plastic{.boundary = boundary, .isNonlinear = isNonlinear};
-  if (boundary == PlasticBoundary::smooth) {
+  if (boundary == Interface::smooth) {
     plastic.internalReflectance = static_cast<float>(smoothInternalReflectance(ior));
     return plastic;
   }
   const double root = std::max(double{roughness}, 0.01);
-  const RoughBoundary rough(boundary == PlasticBoundary::beckmann, root * root);
+  const RoughBoundary rough(boundary == Interface::beckmann, root * root);
   double internal = 0;
   for (std::size_t i = 0; i < Plastic::kNodes; ++i) {
     const double cosine = std::max(kMinCosine, static_cast<double>(i) / (Plastic::kNodes - 1));

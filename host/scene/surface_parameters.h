@@ -3,6 +3,7 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "host/scene/interface.h"
 #include "host/scene/plastic.h"
 #include "lists/surface_parameters.h"
 
@@ -35,8 +36,20 @@ struct SurfaceParameters {
   /// boundary reflects. Metalness, transmission, specular weight, anisotropy and film have their defaults or 0.
   std::optional<Plastic> plastic{};
 
+  /// Makes the surface a single interface without compensation: one that transmits light if the transmission weight
+  /// is above 0, whose reflection has the specular colour as a factor and whose transmission the base colour, or else
+  /// a metal, which reflects everything without a conductor. Then `ior` may be any number above 0, but that of a rough
+  /// interface differs from 1 by a factor of at least 1.01. Thin walls are smooth. Specular weight, plastic, coat,
+  /// sheen, film and dispersion have their defaults.
+  std::optional<Interface> bareInterface{};
+
   /// The surface bounds a volume, which light enters and leaves by refraction.
   bool hasVolume() const { return !isThinWalled && transmissionWeight > 0; }
+
+  /// The surface is a perfect mirror or smooth glass: it scatters each direction only to one or two others.
+  bool isPerfect() const {
+    return bareInterface && (*bareInterface == Interface::smooth || (isThinWalled && transmissionWeight > 0));
+  }
 
   /// The index of refraction differs between red, green and blue.
   bool disperses() const { return hasVolume() && transmissionDispersionScale > 0 && ior > 1; }

@@ -102,8 +102,9 @@ CANDELA_CONST uint kMaterialIsChoice = 0xffffffffu;
 // these: direction.x is the number of the volume that the surface bounds or 0, as a word; direction.z and w are cosine
 // and sine of the rotation of the anisotropy; eta is the real part of a conductor's index of refraction, with 1 in w if
 // the metal is a conductor, and kappa its imaginary part; plastic is (kPlastic..., reflectance for light from the
-// inside, 1 if nonlinear, first record of its transmittances, counted from the first surface's). The dispersion is 0 if
-// there is none. The surfaces that bound volumes come first; the number of a volume is the index of its surface + 1.
+// inside, 1 if nonlinear, first record of its transmittances, counted from the first surface's), or of a bare interface
+// (kInterface..., 0, 0, 0). The dispersion is 0 if there is none. The surfaces that bound volumes come first; the number
+// of a volume is the index of its surface + 1.
 struct SurfaceRecords {
 #define CANDELA_DECLARE_RECORD(record, name, index, isLoaded) vec4 record;
   CANDELA_SURFACE_RECORDS(CANDELA_DECLARE_RECORD)
@@ -120,6 +121,9 @@ CANDELA_CONST uint kPlasticNone = 0u;
 CANDELA_CONST uint kPlasticSmooth = 1u;
 CANDELA_CONST uint kPlasticGgx = 2u;
 CANDELA_CONST uint kPlasticBeckmann = 3u;
+CANDELA_CONST uint kInterfaceSmooth = 4u;
+CANDELA_CONST uint kInterfaceGgx = 5u;
+CANDELA_CONST uint kInterfaceBeckmann = 6u;
 
 // Transmittances of the rough boundaries of plastic, after the surfaces: for each surface 21 records, whose four values
 // are those at consecutive nodes of scene::Plastic. The last value of a record is the first of the next one.

@@ -247,7 +247,7 @@ Bsdf Bsdfs::conductor(const Object& bsdf, bool isRough) {
 }
 
 // The tables of a rough boundary take up to 0.1 s.
-const scene::Plastic& Bsdfs::plasticOf(const Object& bsdf, scene::PlasticBoundary boundary, float roughness, float ior,
+const scene::Plastic& Bsdfs::plasticOf(const Object& bsdf, scene::Interface boundary, float roughness, float ior,
                                        bool isNonlinear) {
   const auto [entry, isNew] = plastics_.try_emplace({boundary, roughness, ior, isNonlinear});
   if (plastics_.size() > kMaxPlastics) {
@@ -266,14 +266,14 @@ Bsdf Bsdfs::plastic(const Object& bsdf, bool isRough) {
     report_.deviate(bsdf.place, "plastic whose index of refraction is at most that of its outside is not rendered",
                     "renders it with 1.0001 times that");
   }
-  auto boundary = scene::PlasticBoundary::smooth;
+  auto boundary = scene::Interface::smooth;
   double alpha = 0;
   if (isRough) {
     const std::string distribution = lowerCase(bsdf.text("distribution", "beckmann"));
     if (distribution != "ggx" && distribution != "beckmann") {
       throw PlacedError{bsdf.place, fmt::format("{} is no distribution of microfacets", quote(distribution))};
     }
-    boundary = distribution == "ggx" ? scene::PlasticBoundary::ggx : scene::PlasticBoundary::beckmann;
+    boundary = distribution == "ggx" ? scene::Interface::ggx : scene::Interface::beckmann;
     alpha = constant(bsdf, "alpha", 0.1, ColourUse::unbounded).x;
   }
   scene::SurfaceParameters surface;

@@ -57,7 +57,7 @@ class Bsdfs {
   Bsdf roughDielectric(const Object& bsdf);
   Bsdf conductor(const Object& bsdf, bool isRough);
   Bsdf plastic(const Object& bsdf, bool isRough);
-  const scene::Plastic& plasticOf(const Object& bsdf, scene::PlasticBoundary boundary, float roughness, float ior,
+  const scene::Plastic& plasticOf(const Object& bsdf, scene::Interface boundary, float roughness, float ior,
                                   bool isNonlinear);
   Bsdf principled(const Object& bsdf);
   Bsdf twoSided(const Object& bsdf, int depth);
@@ -80,7 +80,7 @@ class Bsdfs {
   bool isOld_;
   Report& report_;
   std::map<const Object*, Bsdf> known_{};
-  std::map<std::tuple<scene::PlasticBoundary, float, float, bool>, scene::Plastic> plastics_{};
+  std::map<std::tuple<scene::Interface, float, float, bool>, scene::Plastic> plastics_{};
 };
 
 }  // namespace candela::mitsuba

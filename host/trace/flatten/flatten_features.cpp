@@ -53,6 +53,7 @@ void noteSurface(const scene::SurfaceParameters& surface, SceneFeatures& feature
   features.conductors |= surface.conductor && surface.metalness > 0;
   features.anisotropy |= surface.anisotropy > 0;
   features.plastics |= surface.plastic.has_value();
+  features.interfaces |= surface.bareInterface.has_value();
   features.sheens |= surface.sheenColour != glm::vec3(0);
 }
 

@@ -62,16 +62,20 @@ gpu::SurfaceRecords recordsOf(const scene::SurfaceParameters& s) {
   return records;
 }
 
-float plasticKind(scene::PlasticBoundary boundary) {
-  switch (boundary) {
-    case scene::PlasticBoundary::smooth:
+// Returns the constant of a shape; `smooth` is that of the smooth one.
+float kindOf(scene::Interface shape, std::uint32_t smooth) {
+  static_assert(gpu::kPlasticGgx - gpu::kPlasticSmooth == 1 && gpu::kInterfaceGgx - gpu::kInterfaceSmooth == 1);
+  static_assert(gpu::kPlasticBeckmann - gpu::kPlasticSmooth == 2 &&
+                gpu::kInterfaceBeckmann - gpu::kInterfaceSmooth == 2);
+  switch (shape) {
+    case scene::Interface::smooth:
       break;
-    case scene::PlasticBoundary::ggx:
-      return gpu::kPlasticGgx;
-    case scene::PlasticBoundary::beckmann:
-      return gpu::kPlasticBeckmann;
+    case scene::Interface::ggx:
+      return static_cast<float>(smooth + 1);
+    case scene::Interface::beckmann:
+      return static_cast<float>(smooth + 2);
   }
-  return gpu::kPlasticSmooth;
+  return static_cast<float>(smooth);
 }
 
 /// The transmittances of plastic, which follow the surfaces.
@@ -84,14 +88,15 @@ struct Transmittances {
 gpu::vec4 storePlastic(const scene::Plastic& plastic, Transmittances& transmittances) {
   static_assert(scene::Plastic::kNodes == gpu::kPlasticCells + 1);
   const auto first = static_cast<float>(transmittances.first + rowCount(transmittances.rows));
-  if (plastic.boundary != scene::PlasticBoundary::smooth) {
+  if (plastic.boundary != scene::Interface::smooth) {
     const auto& values = plastic.transmittances;
     for (std::size_t i = 0; i + 1 < values.size(); i += gpu::kPlasticCellsPerRow) {
       transmittances.rows.push_back(
           {floatBits(values[i]), floatBits(values[i + 1]), floatBits(values[i + 2]), floatBits(values[i + 3])});
     }
   }
-  return {plasticKind(plastic.boundary), plastic.internalReflectance, plastic.isNonlinear ? 1 : 0, first};
+  return {kindOf(plastic.boundary, gpu::kPlasticSmooth), plastic.internalReflectance, plastic.isNonlinear ? 1 : 0,
+          first};
 }
 
 void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows& rows,
@@ -107,6 +112,10 @@ void appendSurface(const scene::SurfaceParameters& s, std::uint32_t volume, Rows
   store(conductor.extinction, records.kappa);
   records.eta.w = s.conductor ? 1 : 0;
   if (s.plastic) records.plastic = storePlastic(*s.plastic, transmittances);
+  if (s.bareInterface) {
+    const scene::Interface shape = s.isPerfect() ? scene::Interface::smooth : *s.bareInterface;
+    records.plastic = {kindOf(shape, gpu::kInterfaceSmooth), 0, 0, 0};
+  }
   const std::size_t first = rows.size();
   rows.resize(first + gpu::kSurfaceRows);
 #define CANDELA_STORE_RECORD(record, name, index, isLoaded) \

@@ -3,11 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "host/trace/reference/bsdf_value.h"
+#include "host/trace/reference/bsdf.h"
 #include "host/trace/reference/light.h"
 #include "host/trace/reference/ray.h"
 #include "host/trace/reference/surface.h"
-#include "host/trace/reference/surface_bsdf.h"
 #include "host/trace/reference/texture.h"
 #include "host/trace/reference/tracing.h"
 
@@ -60,8 +59,7 @@ class Arithmetic {
   /// The random number that is compared with the probabilities of a surface's lobes.
   virtual double lobeChoice(double number) { return number; }
   virtual double pdf(double pdf) { return pdf; }
-  /// `surface`: null for a material without surface parameters.
-  virtual BsdfValue bsdfValue(const BsdfValue& value, const SurfaceBsdf* /*surface*/) { return value; }
+  virtual BsdfValue bsdfValue(const BsdfValue& value, const Bsdf& /*bsdf*/) { return value; }
   virtual double reflectance(double reflectance) { return reflectance; }
   virtual dvec3 reflectance(const dvec3& reflectance) { return reflectance; }
   /// The factor by which a direction changes the throughput.

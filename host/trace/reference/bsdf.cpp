@@ -54,6 +54,7 @@ render::Lobe Bsdf::chooseLobe(double u) const {
 BsdfValue Bsdf::evaluate(const dvec3& wo, const dvec3& wi) const {
   if (dispersive_) return dispersive_->evaluate(wi);
   if (surface_) return surface_->evaluate(wi);
+  if (interface_) return interface_->evaluate(wi);
   BsdfValue value;
   addDiffuse(wo, wi, value);
   if (glossy_ > 0) addGlossy(wo, wi, value);

@@ -9,8 +9,8 @@
 #include "host/scene/scene.h"
 #include "host/trace/reference/bsdf_value.h"
 #include "host/trace/reference/dispersion.h"
+#include "host/trace/reference/interface_bsdf.h"
 #include "host/trace/reference/surface_bsdf.h"
-#include "host/trace/render/path_record.h"
 
 namespace candela::reference {
 
@@ -22,13 +22,6 @@ enum class Side : std::uint8_t { reflection, transmission };
 
 inline Side sideOf(const dvec3& wi) { return wi.z < 0 ? Side::transmission : Side::reflection; }
 
-/// A direction without density (mirror, dielectric). `weight` replaces f |cos| / pdf.
-struct DeltaSample {
-  dvec3 wi;
-  dvec3 weight;
-  render::Lobe lobe;
-};
-
 class Bsdf {
  public:
   explicit Bsdf(const scene::Material& material);
@@ -37,20 +30,23 @@ class Bsdf {
   /// `choice`: nothing if the surface does not disperse light.
   void setSurface(const scene::SurfaceParameters& surface, const dvec3& wo, bool outside, bool isCoatAlone = false,
                   const std::optional<ChannelChoice>& choice = std::nullopt) {
-    if (choice)
+    if (surface.bareInterface)
+      interface_.emplace(surface, wo, outside);
+    else if (choice)
       dispersive_.emplace(surface, wo, outside, isCoatAlone, *choice);
     else
       surface_.emplace(surface, wo, outside, isCoatAlone);
   }
 
   bool isMirror() const { return mirror_; }
-  bool isBlack() const { return !surface() && !mirror_ && weightSum() == 0; }
+  bool isBlack() const { return !surface() && !interface_ && !mirror_ && weightSum() == 0; }
   /// Multiplies the colours of the lobes by that of a texture.
   void scaleBaseColour(const dvec3& scale);
   /// Returns the sum of the lobes' weights times their colours.
   dvec3 albedo() const;
   /// Returns whether some lobe with a density scatters to this side. Light sampling can only contribute there.
   bool scattersTo(Side side) const {
+    if (interface_) return !interface_->isSmooth() && (side == Side::reflection || interface_->transmits());
     if (surface()) return side == Side::reflection || surface()->transmits();
     return side == Side::reflection && (diffuse_ > 0 || glossy_ > 0);
   }
@@ -76,6 +72,8 @@ class Bsdf {
     if (dispersive_) return &dispersive_->chosen();
     return surface_ ? &*surface_ : nullptr;
   }
+  /// Returns the single interface that the surface is, or null.
+  const InterfaceBsdf* interface() const { return interface_ ? &*interface_ : nullptr; }
 
   DeltaSample sampleMirror(const dvec3& wo) const;
   /// `into`: the ray arrived on the side to which the surface is oriented. The weight includes the choice of the lobe.
@@ -88,6 +86,7 @@ class Bsdf {
 
   std::optional<SurfaceBsdf> surface_;
   std::optional<DispersiveBsdf> dispersive_;  ///< instead of `surface_`
+  std::optional<InterfaceBsdf> interface_;    ///< instead of `surface_`
   double diffuse_ = 0;
   double glossy_ = 0;
   double dielectric_ = 0;

@@ -27,6 +27,8 @@ class Microfacets {
 
   /// Returns the larger one of the roughnesses along the axes.
   double alpha() const { return alpha_.x; }
+  /// Returns the roughnesses along the axes.
+  const dvec2& alphas() const { return alpha_; }
   bool isIsotropic() const { return anisotropy_ == 0; }
   /// Density of normals, such that the integral of D cosH is 1.
   double distribution(const dvec3& h) const;

@@ -24,7 +24,7 @@ double powerHeuristic(double pdf, double otherPdf) {
 
 // A mirror, or smooth glass without another lobe: light-transport.md section 10.1.
 bool isPerfect(const scene::Material& material) {
-  if (material.surface) return false;
+  if (material.surface) return material.surface->isPerfect();
   return material.mirror || (material.dielectric && !material.diffuse && !material.glossy);
 }
 

@@ -57,7 +57,7 @@ LightReceiver Shading::receiver() const {
 }
 
 BsdfValue Shading::valueOf(const dvec3& wi, Side side) const {
-  return arithmetic_.bsdfValue(scatteredValue(bsdf_, facets, wo, wi, side), bsdf_.surface());
+  return arithmetic_.bsdfValue(scatteredValue(bsdf_, facets, wo, wi, side), bsdf_);
 }
 
 bool Shading::isOn(Side side, const dvec3& wi) const {
@@ -72,7 +72,8 @@ Ray Shading::rayTowards(const dvec3& wi, Side side) const {
 
 Scattering Shading::sample(VertexNumbers u) const {
   if (bsdf_.isBlack()) return {};
-  if (bsdf_.surface()) return sampleSurface(u);
+  if (bsdf_.interface() != nullptr && bsdf_.interface()->isSmooth()) return sampleInterface(u);
+  if (bsdf_.surface() != nullptr || bsdf_.interface() != nullptr) return sampleSurface(u);
   const render::Lobe lobe = bsdf_.isMirror() ? render::Lobe::mirror : bsdf_.chooseLobe(arithmetic_.choice(u.lobe()));
   const bool isSmooth = lobe == render::Lobe::diffuse || lobe == render::Lobe::glossy;
   return isSmooth ? sampleSmooth(lobe, u) : sampleDelta(lobe, u);
@@ -87,6 +88,14 @@ Scattering Shading::sampleDelta(render::Lobe lobe, VertexNumbers u) const {
   return next;
 }
 
+Scattering Shading::sampleInterface(VertexNumbers u) const {
+  const DeltaSample sample = bsdf_.interface()->sampleSmooth(arithmetic_.choice(u.lobe()));
+  const dvec3 local = leavingDirection(facets, {sample.lobe, sample.wi, 0});
+  Scattering next{sample.lobe, toWorld(local), sample.weight, std::nullopt};
+  if (!isOn(next.side(), next.wi)) next.weight = dvec3(0);
+  return next;
+}
+
 Scattering Shading::sampleSmooth(render::Lobe lobe, VertexNumbers u) const {
   const dvec3 local = arithmetic_.sampledDirection(bsdf_.sampleSmooth(lobe, wo, u.bsdf()));
   const dvec3 wi = toWorld(local);
@@ -96,7 +105,9 @@ Scattering Shading::sampleSmooth(render::Lobe lobe, VertexNumbers u) const {
 }
 
 Scattering Shading::sampleSurface(VertexNumbers u) const {
-  SurfaceSample sample = bsdf_.surface()->sample(arithmetic_.lobeChoice(u.lobe()), u.bsdf());
+  const double choice = arithmetic_.lobeChoice(u.lobe());
+  SurfaceSample sample = bsdf_.interface() != nullptr ? bsdf_.interface()->sample(choice, u.bsdf())
+                                                      : bsdf_.surface()->sample(choice, u.bsdf());
   sample.wi = sample.alpha > 0 ? arithmetic_.microfacetDirection(sample.wi, sample.alpha)
                                : arithmetic_.sampledDirection(sample.wi);
   if (!sample.isOnItsSide()) return {};

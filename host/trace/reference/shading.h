@@ -63,6 +63,7 @@ class Shading : public ShadingFrame {
  private:
   dvec3 toWorld(const dvec3& local) const { return arithmetic_.direction(frame.toWorld(local)); }
   Scattering sampleSurface(VertexNumbers u) const;
+  Scattering sampleInterface(VertexNumbers u) const;
   Scattering sampleSmooth(render::Lobe lobe, VertexNumbers u) const;
   Scattering sampleDelta(render::Lobe lobe, VertexNumbers u) const;
 

@@ -88,8 +88,9 @@ dvec3 SurfaceBsdf::metalAt(double cosine) const {
 
 BsdfValue SurfaceBsdf::evaluatePlastic(const dvec3& wi) const {
   const dvec3 h = normalize(wo_ + wi);
+  const double normalPdf = plastic_->microfacets().normalPdf(wo_, h);
   return {diffuseFactor(wi.z) / kPi * diffuse_ + plastic_->reflection(wi),
-          diffuseProbability_ * wi.z / kPi + specularProbability_ * plastic_->normalPdf(h) / (4 * dot(wo_, h))};
+          diffuseProbability_ * wi.z / kPi + specularProbability_ * normalPdf / (4 * dot(wo_, h))};
 }
 
 BsdfValue SurfaceBsdf::evaluateBase(const dvec3& wi) const {
@@ -126,7 +127,7 @@ SurfaceSample SurfaceBsdf::sample(double choice, const dvec2& u) const {
     return {render::Lobe::diffuse, sampleCosineHemisphere(u), 0};
   }
   const Microfacets& microfacets = coated ? coat_.microfacets : microfacets_;
-  const dvec3 h = !coated && plastic_ ? plastic_->sampleNormal(u) : microfacets.sampleNormal(wo_, u);
+  const dvec3 h = !coated && plastic_ ? plastic_->microfacets().sampleNormal(wo_, u) : microfacets.sampleNormal(wo_, u);
   const double cosine = dot(wo_, h);
   if (!coated && choice >= 1 - glassProbability_ * (1 - glass_.reflectionProbability(cosine))) {
     return {render::Lobe::refract, glass_.transmit(wo_, h), microfacets.alpha()};

@@ -163,7 +163,7 @@ TEST_CASE("Plastics have the boundary, the index of refraction and the colours t
   CHECK(smooth.baseColour == glm::vec3(0.5f));
   CHECK(smooth.specularColour == glm::vec3(1));
   CHECK(smooth.ior == Approx(1.49 / 1.000277));
-  CHECK(smooth.plastic == scene::makePlastic(scene::PlasticBoundary::smooth, 0, smooth.ior));
+  CHECK(smooth.plastic == scene::makePlastic(scene::Interface::smooth, 0, smooth.ior));
   const auto rough = [](const std::string& properties) {
     return *materialOf(
                 R"(<bsdf type="roughplastic"><float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/>)" +
@@ -172,12 +172,12 @@ TEST_CASE("Plastics have the boundary, the index of refraction and the colours t
   };
   const scene::SurfaceParameters absent = rough("");
   CHECK(absent.roughness == Approx(std::sqrt(0.1)));
-  CHECK(absent.plastic == scene::makePlastic(scene::PlasticBoundary::beckmann, absent.roughness, 1.5f));
+  CHECK(absent.plastic == scene::makePlastic(scene::Interface::beckmann, absent.roughness, 1.5f));
   const scene::SurfaceParameters stated = rough(
       R"(<string name="distribution" value="ggx"/><float name="alpha" value="0.25"/>
 <boolean name="nonlinear" value="true"/><rgb name="diffuse_reflectance" value="0.1 0.2 0.3"/>
 <rgb name="specular_reflectance" value="0.5 0.6 0.7"/>)");
-  CHECK(stated.plastic == scene::makePlastic(scene::PlasticBoundary::ggx, 0.5f, 1.5f, true));
+  CHECK(stated.plastic == scene::makePlastic(scene::Interface::ggx, 0.5f, 1.5f, true));
   CHECK(stated.baseColour == glm::vec3(0.1f, 0.2f, 0.3f));
   CHECK(stated.specularColour == glm::vec3(0.5f, 0.6f, 0.7f));
 }

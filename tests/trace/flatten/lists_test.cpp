@@ -96,11 +96,11 @@ TEST_CASE("every surface parameter has lanes of its own in the records of a surf
 }
 
 TEST_CASE("the transmittances of rough plastic follow the surfaces, with shared values at the ends of records") {
-  scene::Plastic plastic{scene::PlasticBoundary::beckmann, true, 0.5f, {}};
+  scene::Plastic plastic{scene::Interface::beckmann, true, 0.5f, {}};
   for (std::size_t i = 0; i < plastic.transmittances.size(); ++i) plastic.transmittances[i] = static_cast<float>(i);
   scene::Scene scene;
-  for (const scene::PlasticBoundary boundary :
-       {scene::PlasticBoundary::ggx, scene::PlasticBoundary::smooth, scene::PlasticBoundary::beckmann}) {
+  for (const scene::Interface boundary :
+       {scene::Interface::ggx, scene::Interface::smooth, scene::Interface::beckmann}) {
     plastic.boundary = boundary;
     scene.materials.emplace_back().surface = scene::SurfaceParameters{.plastic = plastic};
   }
@@ -112,6 +112,21 @@ TEST_CASE("the transmittances of rough plastic follow the surfaces, with shared 
   CHECK(floats(rows[30]) == glm::vec4(0, 1, 2, 3));
   CHECK(floats(rows[52]) == glm::vec4(3, 4, 5, 6));
   CHECK(floats(rows[71]) == glm::vec4(60, 61, 62, 63));
+}
+
+TEST_CASE("the shape of a bare interface takes the place of plastic's, and thin walls are smooth") {
+  using enum scene::Interface;
+  scene::Scene scene;
+  for (const scene::Interface shape : {smooth, ggx, beckmann, beckmann}) {
+    scene.materials.emplace_back().surface = scene::SurfaceParameters{.bareInterface = shape};
+  }
+  scene.materials.back().surface->transmissionWeight = 1;
+  const flatten::Rows rows = flatten::surfaceRows(scene, flatten::orderSurfaces(scene));
+  REQUIRE(rows.size() == 4 * 10);
+  CHECK(floats(rows[9]) == glm::vec4(4, 0, 0, 0));
+  CHECK(floats(rows[19]) == glm::vec4(5, 0, 0, 0));
+  CHECK(floats(rows[29]) == glm::vec4(6, 0, 0, 0));
+  CHECK(floats(rows[39]) == glm::vec4(4, 0, 0, 0));
 }
 
 TEST_CASE("every texture slot and treatment of coordinates has a value of its own, from 0 on") {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kIor = 1.49f / 1.000277f;
 
-scene::Material plastic(scene::PlasticBoundary boundary, float roughness, const glm::vec3& base, bool isNonlinear) {
+scene::Material plastic(scene::Interface boundary, float roughness, const glm::vec3& base, bool isNonlinear) {
   scene::Material material;
   material.surface = scene::SurfaceParameters{.baseColour = base,
                                               .roughness = roughness,
@@ -24,10 +24,10 @@ scene::Material plastic(scene::PlasticBoundary boundary, float roughness, const 
 scene::Scene plasticBalls() {
   test::SceneBuilder b;
   b.material(test::diffuseMaterial(glm::vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-  b.material(plastic(scene::PlasticBoundary::smooth, 0, {0.1f, 0.27f, 0.36f}, false)).sphere({-2.4f, 0, 0.8f}, 0.8f);
-  b.material(plastic(scene::PlasticBoundary::ggx, 0.5f, {0.8f, 0.3f, 0.1f}, true)).sphere({-0.8f, 0, 0.8f}, 0.8f);
-  b.material(plastic(scene::PlasticBoundary::beckmann, 0.3f, {0.2f, 0.7f, 0.2f}, false)).sphere({0.8f, 0, 0.8f}, 0.8f);
-  b.material(plastic(scene::PlasticBoundary::beckmann, 0.7f, {0.5f, 0.5f, 0.8f}, true)).sphere({2.4f, 0, 0.8f}, 0.8f);
+  b.material(plastic(scene::Interface::smooth, 0, {0.1f, 0.27f, 0.36f}, false)).sphere({-2.4f, 0, 0.8f}, 0.8f);
+  b.material(plastic(scene::Interface::ggx, 0.5f, {0.8f, 0.3f, 0.1f}, true)).sphere({-0.8f, 0, 0.8f}, 0.8f);
+  b.material(plastic(scene::Interface::beckmann, 0.3f, {0.2f, 0.7f, 0.2f}, false)).sphere({0.8f, 0, 0.8f}, 0.8f);
+  b.material(plastic(scene::Interface::beckmann, 0.7f, {0.5f, 0.5f, 0.8f}, true)).sphere({2.4f, 0, 0.8f}, 0.8f);
   b.scene.materials.back().surface->coatWeight = 0.7f;
   b.pointLight({-1, -4, 4}, glm::vec3(1));
   b.scene.background = glm::vec3(0.3f);

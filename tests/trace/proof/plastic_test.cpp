@@ -9,13 +9,13 @@
 
 using namespace candela;
 using namespace candela::proof;
-using enum scene::PlasticBoundary;
+using enum scene::Interface;
 
 namespace {
 
 constexpr float kIor = 1.49f / 1.000277f;  // polypropylene in air
 
-scene::Material plastic(scene::PlasticBoundary boundary, double alpha, double base, double specular,
+scene::Material plastic(scene::Interface boundary, double alpha, double base, double specular,
                         bool isNonlinear = false) {
   const auto roughness = static_cast<float>(std::sqrt(alpha));
   return materialOf({.baseColour = glm::vec3(static_cast<float>(base)),
@@ -32,7 +32,7 @@ struct PlasticValue {
   double f;
 };
 struct PlasticModel {
-  scene::PlasticBoundary boundary;
+  scene::Interface boundary;
   double alpha;
   std::vector<PlasticValue> values;
 };
@@ -89,7 +89,7 @@ TEST_CASE("plastic has the values of an independent computation from Mitsuba's f
 
 TEST_CASE("plastic is sampled with the stated density, also below a coat and a sheen", "[swiftshader-slow]") {
   std::vector<scene::Material> materials;
-  for (const scene::PlasticBoundary boundary : {smooth, ggx, beckmann}) {
+  for (const scene::Interface boundary : {smooth, ggx, beckmann}) {
     for (const float roughness : kRoughnesses) {
       if (boundary == smooth && roughness > kRoughnesses.front()) continue;
       materials.push_back(plastic(boundary, double{roughness} * roughness, 0.7, 0.9));

@@ -73,7 +73,8 @@ struct MaterialLeaves::Side {
   // A path that continues from a vertex whose geometric and shading normals are equal.
   static Scattered sample(const reference::Bsdf& bsdf, const ScatterQuery& query) {
     if (bsdf.isBlack()) return {};
-    if (bsdf.surface()) return ofSurface(bsdf, query);
+    if (bsdf.interface() != nullptr && bsdf.interface()->isSmooth()) return ofSmoothInterface(bsdf, query);
+    if (bsdf.surface() != nullptr || bsdf.interface() != nullptr) return ofSurface(bsdf, query);
     const render::Lobe lobe = bsdf.isMirror() ? render::Lobe::mirror : bsdf.chooseLobe(query.numbers.x);
     if (lobe == render::Lobe::mirror) return ofDelta(bsdf.sampleMirror(query.wo));
     if (lobe == render::Lobe::refract) return ofDelta(bsdf.sampleDielectric(query.wo, query.outside, query.numbers.y));
@@ -88,8 +89,16 @@ struct MaterialLeaves::Side {
     return reference::NormalMapFacets(geometric);
   }
 
+  static Scattered ofSmoothInterface(const reference::Bsdf& bsdf, const ScatterQuery& query) {
+    const reference::DeltaSample sample = bsdf.interface()->sampleSmooth(query.numbers.x);
+    const dvec3 wi = leavingDirection(facetsOf(query.geometric), {sample.lobe, sample.wi, 0});
+    return {sample.lobe, wi, sample.weight, 0};
+  }
+
   static Scattered ofSurface(const reference::Bsdf& bsdf, const ScatterQuery& query) {
-    const reference::SurfaceSample sample = bsdf.surface()->sample(query.numbers.x, {query.numbers.y, query.numbers.z});
+    const dvec2 u(query.numbers.y, query.numbers.z);
+    const reference::SurfaceSample sample = bsdf.interface() != nullptr ? bsdf.interface()->sample(query.numbers.x, u)
+                                                                        : bsdf.surface()->sample(query.numbers.x, u);
     if (!sample.isOnItsSide()) return {};
     const auto facets = facetsOf(query.geometric);
     const dvec3 wi = leavingDirection(facets, sample);

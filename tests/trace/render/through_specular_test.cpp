@@ -106,6 +106,29 @@ TEST_CASE("through panes of glass that do not refract, layers are those without 
   });
 }
 
+TEST_CASE("layers are seen through smooth interfaces, but not through rough ones") {
+  using enum scene::Interface;
+  scene::Scene scene = roomWith(kMirror);
+  scene.materials[0] = {};
+  onBothTracers([&](const RenderFunction& render) {
+    for (const bool isMetal : {true, false}) {
+      for (const scene::Interface shape : {smooth, beckmann}) {
+        scene.materials[0].surface = scene::SurfaceParameters{.metalness = isMetal ? 1.0f : 0.0f,
+                                                              .roughness = 0.3f,
+                                                              .ior = 3,
+                                                              .transmissionWeight = isMetal ? 0.0f : 1.0f,
+                                                              .isThinWalled = false,
+                                                              .bareInterface = shape};
+        const image::Film film = render(scene, throughSettings(6)).film;
+        const image::IdCounts& ids = film.idsAt(image::MatteKind::object, 4, 3);
+        const bool showsFloor = ids.size() == 1 && ids[0].id == image::matteId("triangle.0");
+        CAPTURE(isMetal, static_cast<int>(shape));
+        CHECK(showsFloor == (shape == beckmann));
+      }
+    }
+  });
+}
+
 TEST_CASE("neither the film nor the parts of the light depend on what layers are seen through", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("smallpt.p3f");
   onBothTracers([&](const RenderFunction& render) {

@@ -24,7 +24,9 @@ bool isLostIn(const scene::Scene& scene, std::uint32_t index, double error) {
 }
 
 // Returns the bound of the errors of f and pdf.
-double bsdfUnits(const SurfaceBsdf* surface) {
+double bsdfUnits(const Bsdf& bsdf) {
+  if (bsdf.interface() != nullptr) return kRoundingBounds.surface;
+  const SurfaceBsdf* const surface = bsdf.surface();
   if (surface == nullptr) return kRoundingBounds.bsdf;
   const double sheen = kRoundingBounds.sheen * surface->sheenSteepness();
   return std::hypot(kRoundingBounds.surface, sheen, kRoundingBounds.film * surface->filmThickness());
@@ -135,8 +137,8 @@ LightSample RoundedArithmetic::lightSample(const LightSample& light) {
   return rounded;
 }
 
-BsdfValue RoundedArithmetic::bsdfValue(const BsdfValue& value, const SurfaceBsdf* surface) {
-  const double units = bsdfUnits(surface);
+BsdfValue RoundedArithmetic::bsdfValue(const BsdfValue& value, const Bsdf& bsdf) {
+  const double units = bsdfUnits(bsdf);
   return {relative(value.f, units), relative(value.pdf, units)};
 }
 

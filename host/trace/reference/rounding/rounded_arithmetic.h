@@ -74,7 +74,7 @@ class RoundedArithmetic final : public RecordedArithmetic {
   double choice(double number) override { return absolute(number, kRoundingBounds.choice); }
   double lobeChoice(double number) override { return absolute(number, kRoundingBounds.lobeChoice); }
   double pdf(double pdf) override { return relative(pdf, kRoundingBounds.pdf); }
-  BsdfValue bsdfValue(const BsdfValue& value, const SurfaceBsdf* surface) override;
+  BsdfValue bsdfValue(const BsdfValue& value, const Bsdf& bsdf) override;
   double reflectance(double reflectance) override { return relative(reflectance, kRoundingBounds.bsdf); }
   dvec3 reflectance(const dvec3& reflectance) override { return relative(reflectance, kRoundingBounds.bsdf); }
   dvec3 throughput(const dvec3& factor) override { return relative(factor, kRoundingBounds.throughput); }
