@@ -19,7 +19,8 @@ namespace {
 using scene::quote;
 using scene::TextureSlot;
 
-constexpr int kMaxNesting = 16;  // of nested BSDFs
+constexpr int kMaxNesting = 16;        // of nested BSDFs
+constexpr double kMinRoughIor = 1.01;  // of a rough dielectric, or its inverse: section 5.15 of light-transport.md
 
 /// BSDFs of Mitsuba that are not rendered, and have no nested one.
 constexpr std::array<std::string_view, 15> kOtherBsdfs{"hair",      "measured",       "measured_polarized",
@@ -38,11 +39,15 @@ void set(scene::Material& material, TextureSlot slot, const std::optional<scene:
 
 glm::vec3 limited(const glm::dvec3& colour) { return glm::vec3(glm::clamp(colour, 0.0, 1.0)); }
 
+/// The index of refraction of the inside relative to the outside; `absent`: the material of the inside by default.
+double relativeIor(const Object& bsdf, const char* absent) {
+  return iorOf(bsdf, "int_ior", absent) / iorOf(bsdf, "ext_ior", "air");
+}
+
 /// Candela's perceptual roughness, of which Mitsuba's alpha is the square.
 float roughnessOf(double alpha) { return static_cast<float>(std::sqrt(std::clamp(alpha, 0.0, 1.0))); }
 
-/// Only surfaces with parameters have normal maps. Those of a lobe scatter as the lobe does, except that mirrors and
-/// glass have the least roughness that there is.
+/// Only surfaces with parameters have normal maps. That of a lobe scatters as the lobe does.
 void makeSurface(scene::Material& material) {
   if (material.surface) return;
   scene::SurfaceParameters surface;
@@ -54,16 +59,11 @@ void makeSurface(scene::Material& material) {
   } else if (material.mirror) {
     surface.baseColour = material.mirror->colour;
     surface.metalness = 1;
-  } else if (material.dielectric) {
-    surface.baseColour = material.dielectric->colour;
-    surface.ior = std::max(material.dielectric->ior, 1.0f);
-    surface.transmissionWeight = 1;
-    surface.isThinWalled = false;
+    surface.bareInterface = scene::Interface::smooth;
   }
   material.surface = surface;
   material.diffuse.reset();
   material.mirror.reset();
-  material.dielectric.reset();
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ Bsdf Bsdfs::make(const Object& bsdf, int depth) {
   const std::string& type = bsdf.type;
   const auto dispatch = [&]() -> Bsdf {
     if (type == "diffuse") return diffuse(bsdf);
-    if (type == "dielectric") return dielectric(bsdf);
-    if (type == "thindielectric") return thinDielectric(bsdf);
-    if (type == "roughdielectric") return roughDielectric(bsdf);
+    if (type == "dielectric" || type == "thindielectric")
+      return dielectric(bsdf, relativeIor(bsdf, "bk7"), scene::Interface::smooth);
+    if (type == "roughdielectric") return roughDielectric(bsdf, relativeIor(bsdf, "bk7"));
     if (type == "conductor" || type == "roughconductor") return conductor(bsdf, type == "roughconductor");
     if (type == "plastic" || type == "roughplastic") return plastic(bsdf, type == "roughplastic");
     if (type == "principled") return principled(bsdf);
@@ -126,45 +126,37 @@ Bsdf Bsdfs::diffuse(const Object& bsdf) {
   return result;
 }
 
-Bsdf Bsdfs::dielectric(const Object& bsdf) {
+Bsdf Bsdfs::dielectric(const Object& bsdf, double ior, scene::Interface shape) {
   Bsdf result{.isTwoSided = true};
-  const double ior = iorOf(bsdf, "int_ior", "bk7") / iorOf(bsdf, "ext_ior", "air");
-  const glm::dvec3 reflected = constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance);
-  const glm::dvec3 transmitted = constant(bsdf, "specular_transmittance", 1, ColourUse::reflectance);
-  if (reflected != transmitted) {
-    report_.deviate(bsdf.place, "a dielectric reflects and transmits by one colour",
-                    "takes \"specular_transmittance\"");
+  const Texture reflected = textures_.read(bsdf, "specular_reflectance", 1, ColourUse::reflectance, Encoding::srgb);
+  if (reflected.usesVertexColours) {
+    report_.deviate(bsdf.find("specular_reflectance")->place,
+                    fmt::format("vertex colours of the reflection of {} are not rendered", bsdf.description()),
+                    "leaves them out");
   }
-  result.material.dielectric = scene::DielectricLobe{.colour = limited(transmitted), .ior = static_cast<float>(ior)};
+  set(result.material, TextureSlot::specularColour, reflected.reference);
+  const Texture transmitted = baseColour(bsdf, "specular_transmittance", 1, result);
+  result.material.surface = scene::SurfaceParameters{.baseColour = limited(transmitted.factor),
+                                                     .specularColour = limited(reflected.factor),
+                                                     .roughness = 0,
+                                                     .ior = static_cast<float>(ior),
+                                                     .transmissionWeight = 1,
+                                                     .isThinWalled = bsdf.type == "thindielectric",
+                                                     .bareInterface = shape};
   return result;
 }
 
-// Light that is reflected between both sides of the pane, n times, adds up to 2 F / (1 + F). This is exact at normal
-// incidence.
-Bsdf Bsdfs::thinDielectric(const Object& bsdf) {
-  Bsdf result{.isTwoSided = true};
-  const double ior = iorOf(bsdf, "int_ior", "bk7") / iorOf(bsdf, "ext_ior", "air");
-  const double f = std::pow((ior - 1) / (ior + 1), 2);
-  scene::SurfaceParameters surface;
-  surface.roughness = 0;
-  surface.ior = static_cast<float>(std::max(ior, 1 / ior));
-  surface.transmissionWeight = 1;
-  surface.isThinWalled = true;
-  surface.specularColour = glm::vec3(2 / (1 + f) * constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance));
-  surface.baseColour = limited(constant(bsdf, "specular_transmittance", 1, ColourUse::reflectance));
-  result.material.surface = surface;
-  return result;
-}
-
-void Bsdfs::requireGgx(const Object& bsdf) {
+scene::Interface Bsdfs::distribution(const Object& bsdf) {
   bsdf.ignore({"sample_visible"}, report_);
-  const std::string distribution = lowerCase(bsdf.text("distribution", "beckmann"));
-  if (distribution == "ggx") return;
-  const bool isKnown = distribution == "beckmann" || distribution == "phong" || distribution == "as";
-  if (!isKnown) throw PlacedError{bsdf.place, fmt::format("{} is no distribution of microfacets", quote(distribution))};
-  report_.deviate(bsdf.place,
-                  fmt::format("{}: the distribution {} is not rendered yet", bsdf.description(), quote(distribution)),
+  const std::string name = lowerCase(bsdf.text("distribution", "beckmann"));
+  if (name == "ggx") return scene::Interface::ggx;
+  if (name == "beckmann") return scene::Interface::beckmann;
+  if (name != "phong" && name != "as") {
+    throw PlacedError{bsdf.place, fmt::format("{} is no distribution of microfacets", quote(name))};
+  }
+  report_.deviate(bsdf.place, fmt::format("{}: the distribution {} is not rendered", bsdf.description(), quote(name)),
                   "renders \"ggx\" with the same alpha");
+  return scene::Interface::ggx;
 }
 
 // Along the direction in which the surface is rougher, alpha is mix(b, 1, s^2) with the alpha b across it.
@@ -180,10 +172,11 @@ void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
   const Texture u = textures_.read(bsdf, "alpha_u", 0.1, ColourUse::unbounded, Encoding::roughness);
   const Texture v = textures_.read(bsdf, "alpha_v", 0.1, ColourUse::unbounded, Encoding::roughness);
   if (u.reference || v.reference) {
-    report_.deviate(bsdf.place, "textures of \"alpha_u\" and \"alpha_v\" are not rendered",
-                    "takes that of \"alpha_u\" for both");
-    const Texture& one = u.reference ? u : v;
-    set(material, TextureSlot::metallicRoughness, one.reference);
+    if (u.reference != v.reference || u.factor != v.factor) {
+      report_.deviate(bsdf.place, "different textures of \"alpha_u\" and \"alpha_v\" are not rendered",
+                      "takes one of them for both");
+    }
+    set(material, TextureSlot::metallicRoughness, (u.reference ? u : v).reference);
     return;
   }
   const double rough = std::clamp(std::max(u.factor.x, v.factor.x), 0.0, 1.0);
@@ -193,23 +186,17 @@ void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
   if (v.factor.x > u.factor.x) surface.anisotropyRotation = static_cast<float>(std::numbers::pi / 2);
 }
 
-Bsdf Bsdfs::roughDielectric(const Object& bsdf) {
-  Bsdf result{.isTwoSided = true};
-  requireGgx(bsdf);
-  const double ior = iorOf(bsdf, "int_ior", "bk7") / iorOf(bsdf, "ext_ior", "air");
-  if (ior < 1) {
-    report_.deviate(
-        bsdf.place,
-        "a rough dielectric whose inside has a smaller index of refraction than its outside is not rendered",
-        "exchanges both");
+Bsdf Bsdfs::roughDielectric(const Object& bsdf, double ior) {
+  const bool isNearOne = std::max(ior, 1 / ior) < kMinRoughIor;
+  if (isNearOne) {
+    report_.deviate(bsdf.place,
+                    fmt::format("a rough dielectric whose indices of refraction differ by a factor of less than {} "
+                                "is not rendered",
+                                kMinRoughIor),
+                    "renders that factor");
   }
-  scene::SurfaceParameters surface;
-  surface.ior = static_cast<float>(std::max(ior, 1 / ior));
-  surface.transmissionWeight = 1;
-  surface.isThinWalled = false;
-  surface.specularColour = glm::vec3(constant(bsdf, "specular_reflectance", 1, ColourUse::reflectance));
-  surface.baseColour = limited(constant(bsdf, "specular_transmittance", 1, ColourUse::reflectance));
-  result.material.surface = surface;
+  const double rendered = isNearOne ? (ior < 1 ? 1 / kMinRoughIor : kMinRoughIor) : ior;
+  Bsdf result = dielectric(bsdf, rendered, distribution(bsdf));
   setRoughness(bsdf, result.material);
   return result;
 }
@@ -231,7 +218,7 @@ Bsdf Bsdfs::conductor(const Object& bsdf, bool isRough) {
                              glm::vec3(constant(bsdf, "k", 1, ColourUse::unbounded) / outside)};
   }
   const Texture colour = baseColour(bsdf, "specular_reflectance", 1, result);
-  if (isRough) requireGgx(bsdf);
+  const scene::Interface shape = isRough ? distribution(bsdf) : scene::Interface::smooth;
   if (!index && !isRough) {
     result.material.mirror = scene::MirrorLobe{limited(colour.factor)};
     return result;
@@ -241,6 +228,7 @@ Bsdf Bsdfs::conductor(const Object& bsdf, bool isRough) {
   surface.metalness = 1;
   surface.roughness = 0;
   surface.conductor = index;
+  surface.bareInterface = shape;
   result.material.surface = surface;
   if (isRough) setRoughness(bsdf, result.material);
   return result;
@@ -259,9 +247,8 @@ const scene::Plastic& Bsdfs::plasticOf(const Object& bsdf, scene::Interface boun
 
 Bsdf Bsdfs::plastic(const Object& bsdf, bool isRough) {
   Bsdf result;
-  bsdf.ignore({"sample_visible"}, report_);
   const Texture colour = baseColour(bsdf, "diffuse_reflectance", 0.5, result);
-  const double ior = iorOf(bsdf, "int_ior", "polypropylene") / iorOf(bsdf, "ext_ior", "air");
+  const double ior = relativeIor(bsdf, "polypropylene");
   if (ior <= 1) {
     report_.deviate(bsdf.place, "plastic whose index of refraction is at most that of its outside is not rendered",
                     "renders it with 1.0001 times that");
@@ -269,11 +256,7 @@ Bsdf Bsdfs::plastic(const Object& bsdf, bool isRough) {
   auto boundary = scene::Interface::smooth;
   double alpha = 0;
   if (isRough) {
-    const std::string distribution = lowerCase(bsdf.text("distribution", "beckmann"));
-    if (distribution != "ggx" && distribution != "beckmann") {
-      throw PlacedError{bsdf.place, fmt::format("{} is no distribution of microfacets", quote(distribution))};
-    }
-    boundary = distribution == "ggx" ? scene::Interface::ggx : scene::Interface::beckmann;
+    boundary = distribution(bsdf);
     alpha = constant(bsdf, "alpha", 0.1, ColourUse::unbounded).x;
   }
   scene::SurfaceParameters surface;

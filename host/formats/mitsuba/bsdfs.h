@@ -52,9 +52,8 @@ class Bsdfs {
 
   Bsdf make(const Object& bsdf, int depth);
   Bsdf diffuse(const Object& bsdf);
-  Bsdf dielectric(const Object& bsdf);
-  Bsdf thinDielectric(const Object& bsdf);
-  Bsdf roughDielectric(const Object& bsdf);
+  Bsdf dielectric(const Object& bsdf, double ior, scene::Interface shape);
+  Bsdf roughDielectric(const Object& bsdf, double ior);
   Bsdf conductor(const Object& bsdf, bool isRough);
   Bsdf plastic(const Object& bsdf, bool isRough);
   const scene::Plastic& plasticOf(const Object& bsdf, scene::Interface boundary, float roughness, float ior,
@@ -72,7 +71,7 @@ class Bsdfs {
   void setOpacity(const Texture& opacity, const Object& bsdf, Bsdf& result);
   void setNormalMap(const scene::TextureReference& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
   void setRoughness(const Object& bsdf, scene::Material& material);
-  void requireGgx(const Object& bsdf);
+  scene::Interface distribution(const Object& bsdf);
   glm::dvec3 constant(const Object& bsdf, const char* name, double absent, ColourUse use);
   Texture baseColour(const Object& bsdf, const char* name, double absent, Bsdf& result);
 

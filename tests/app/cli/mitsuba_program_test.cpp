@@ -30,8 +30,8 @@ const std::string kMitsuba = R"(<scene version="3.0.0">
 <emitter type="constant"><rgb name="radiance" value="0.25 0.5 0.75"/></emitter>
 <bsdf type="twosided" id="wall"><bsdf type="diffuse"><rgb name="reflectance" value="0.75 0.5 0.25"/></bsdf></bsdf>
 <shape type="rectangle"><ref id="wall"/><transform name="to_world"><rotate x="1" angle="-90"/><scale value="4"/></transform></shape>
-<shape type="sphere"><point name="center" x="-1.5" y="1" z="0"/><bsdf type="dielectric"><float name="int_ior" value="1.5"/>
-<float name="ext_ior" value="1"/></bsdf></shape>
+<shape type="sphere"><point name="center" x="-1.5" y="1" z="0"/><bsdf type="conductor">
+<rgb name="specular_reflectance" value="0.5 0.75 1"/></bsdf></shape>
 <shape type="sphere"><transform name="to_world"><scale value="0.5"/><translate x="1.5" y="1"/></transform><bsdf type="conductor"/></shape>
 <shape type="cylinder"><point name="p0" x="0" y="0" z="1"/><point name="p1" x="0" y="1" z="1"/><float name="radius" value="0.25"/><ref id="wall"/></shape>
 <shape type="sphere"><point name="center" x="0" y="3.75" z="0"/><float name="radius" value="0.25"/>
@@ -56,7 +56,7 @@ p 3
 -4 0 4
 4 0 -4
 -4 0 -4
-f 1 1 1 0 0 0 0 0 1 1 1.5
+f .5 .75 1 0 1 0 0 0
 s -1.5 1 0 1
 f 1 1 1 0 1 0 0 0
 s 1.5 1 0 .5

@@ -136,26 +136,42 @@ TEST_CASE("Both BSDFs of a blend emit, and have its normal map") {
   CHECK(hasTangents(scene, scene.primitives[last]));
 }
 
-TEST_CASE("Dielectrics have the ratio of their indices of refraction") {
+TEST_CASE("Dielectrics are single interfaces with the ratio of their indices of refraction and two colours") {
   const scene::Material glass = materialOf(R"(<bsdf type="dielectric"/>)");
-  CHECK(glass.dielectric->ior == Approx(1.5046 / 1.000277));
+  REQUIRE(glass.surface);
+  CHECK(glass.surface->ior == Approx(1.5046 / 1.000277));
+  CHECK(glass.surface->bareInterface == scene::Interface::smooth);
+  CHECK(glass.surface->hasVolume());
   CHECK_FALSE(glass.opaque);
   const scene::Material bubble = materialOf(R"(<bsdf type="dielectric"><string name="int_ior" value="vacuum"/>
-<float name="ext_ior" value="2"/></bsdf>)");
-  CHECK(bubble.dielectric->ior == 0.5f);
+<float name="ext_ior" value="2"/><rgb name="specular_reflectance" value="0.5 0.6 0.7"/>
+<rgb name="specular_transmittance" value="0.1 0.2 0.3"/></bsdf>)");
+  CHECK(bubble.surface->ior == 0.5f);
+  CHECK(bubble.surface->specularColour == glm::vec3(0.5f, 0.6f, 0.7f));
+  CHECK(bubble.surface->baseColour == glm::vec3(0.1f, 0.2f, 0.3f));
   const scene::Material rough = materialOf(R"(<bsdf type="roughdielectric"><string name="distribution" value="ggx"/>
-<float name="int_ior" value="1.5"/><float name="ext_ior" value="1"/><float name="alpha" value="0.25"/></bsdf>)");
+<float name="int_ior" value="1"/><float name="ext_ior" value="1.25"/><float name="alpha" value="0.25"/></bsdf>)");
   REQUIRE(rough.surface);
+  CHECK(rough.surface->bareInterface == scene::Interface::ggx);
   CHECK(rough.surface->roughness == 0.5f);
-  CHECK(rough.surface->ior == 1.5f);
+  CHECK(rough.surface->ior == 0.8f);
   CHECK(rough.surface->transmissionWeight == 1);
   CHECK_FALSE(rough.surface->isThinWalled);
-  // A pane of n = 1.5 reflects F = 0.04 at each side, and 2 F / (1 + F) with all reflections in it.
   const scene::Material pane = materialOf(R"(<bsdf type="thindielectric"><float name="int_ior" value="1.5"/>
 <float name="ext_ior" value="1"/></bsdf>)");
-  CHECK(pane.surface->specularColour.x * 0.04 == Approx(0.08 / 1.04));
-  CHECK(pane.surface->roughness == 0);
+  CHECK(pane.surface->bareInterface == scene::Interface::smooth);
+  CHECK(pane.surface->ior == 1.5f);
   CHECK(pane.surface->isThinWalled);
+}
+
+TEST_CASE("Conductors are single interfaces with the distribution of normals that is stated") {
+  const auto shape = [](const std::string& bsdf) { return materialOf(bsdf).surface->bareInterface; };
+  CHECK(shape(R"(<bsdf type="conductor"><string name="material" value="Cu"/></bsdf>)") == scene::Interface::smooth);
+  CHECK(shape(R"(<bsdf type="roughconductor"/>)") == scene::Interface::beckmann);
+  CHECK(shape(R"(<bsdf type="roughconductor"><string name="distribution" value="GGX"/></bsdf>)") ==
+        scene::Interface::ggx);
+  CHECK(xmlErrorsOf(withBsdf(R"(<bsdf type="roughconductor"><string name="distribution" value="gx"/></bsdf>)"))
+            .find("\"gx\" is no distribution of microfacets") != std::string::npos);
 }
 
 TEST_CASE("Plastics have the boundary, the index of refraction and the colours that are stated") {
@@ -211,8 +227,10 @@ TEST_CASE("What Mitsuba's BSDFs have and Candela does not is an error, or a repl
   };
   check(R"(<bsdf type="plastic"><float name="int_ior" value="0.9"/></bsdf>)",
         "2:25: plastic whose index of refraction is at most that of its outside is not rendered; lenient renders");
-  check(R"(<bsdf type="roughconductor"/>)",
-        "the distribution \"beckmann\" is not rendered yet; lenient renders \"ggx\"");
+  check(R"(<bsdf type="roughconductor"><string name="distribution" value="phong"/></bsdf>)",
+        "the distribution \"phong\" is not rendered; lenient renders \"ggx\"");
+  check(R"(<bsdf type="roughdielectric"><float name="int_ior" value="1.001"/><float name="ext_ior" value="1"/></bsdf>)",
+        "differ by a factor of less than 1.01 is not rendered; lenient renders that factor");
   check(R"(<bsdf type="coating"><bsdf type="diffuse"/></bsdf>)",
         "\"coating\" is not rendered; lenient renders its nested BSDF");
   check(R"(<bsdf type="hair"><float name="scale" value="3"/></bsdf>)",
@@ -264,6 +282,19 @@ TEST_CASE("Images are stored as their file has them, or in the encoding of their
   CHECK(roughness * roughness == Approx(0.7152 * 0.2 + 0.0722 * 0.4).epsilon(1e-3));
   CHECK(rough.materials[0].surface->roughness == 1);
   CHECK((rough.images[0].deepTexels[0] >> 32 & 65535) == 65535);
+
+  const auto both = [&](const std::string& u, const std::string& v) {
+    return withBsdf("<bsdf type=\"roughconductor\">" + bitmap("alpha_u", u) + bitmap("alpha_v", v) + "</bsdf>");
+  };
+  const scene::Scene isotropic = picture.sceneOf(both("", ""));
+  CHECK(isotropic.materials[0].surface->anisotropy == 0);
+  CHECK(referenceIn(isotropic, TextureSlot::metallicRoughness).image == 0);
+  CHECK(xmlErrorsOf(both("", "<string name=\"wrap_mode\" value=\"clamp\"/>"), {}, "3.0.0", picture.path(""))
+            .find("different textures of \"alpha_u\" and \"alpha_v\" are not rendered") != std::string::npos);
+
+  const scene::Scene glass = picture.sceneOf(
+      withBsdf("<bsdf type=\"dielectric\">" + bitmap("specular_reflectance") + "</bsdf>"));
+  CHECK(referenceIn(glass, TextureSlot::specularColour).image == 0);
 }
 
 TEST_CASE("Bitmaps have the filter, the wrap mode and the transform that the file states") {
