@@ -129,7 +129,7 @@ Bsdf Bsdfs::diffuse(const Object& bsdf) {
 Bsdf Bsdfs::dielectric(const Object& bsdf, double ior, scene::Interface shape) {
   Bsdf result{.isTwoSided = true};
   const Texture reflected = textures_.read(bsdf, "specular_reflectance", 1, ColourUse::reflectance, Encoding::srgb);
-  if (reflected.usesVertexColours) {
+  if (reflected.attribute) {
     report_.deviate(bsdf.find("specular_reflectance")->place,
                     fmt::format("vertex colours of the reflection of {} are not rendered", bsdf.description()),
                     "leaves them out");
