@@ -5,7 +5,7 @@
 #define CANDELA_LISTS_FEATURES_H
 
 // X(member of flatten::SceneFeatures, name in GLSL, id of the specialisation constant). Features that a scene does not
-// use are compiled out. Other ids are in shaders/shared/specialization.h; id 110 is free.
+// use are compiled out. Other ids are in shaders/shared/specialization.h; id 112 is free.
 #define CANDELA_FEATURES(X)                                                                                 \
   X(spheres, kHasSpheres, 2) /* kinds of primitives present */                                              \
   X(triangles, kHasTriangles, 3)                                                                            \

@@ -10,6 +10,15 @@
 bool isBareInterface(SurfaceParameters s) { return kHasInterfaces && s.plastic.x >= float(kInterfaceSmooth); }
 bool isSmoothInterface(SurfaceParameters s) { return kHasInterfaces && s.plastic.x == float(kInterfaceSmooth); }
 
+// Removes all lobes. The emission stays.
+void makeBlack(inout Material material) {
+  material.isSurface = false;
+  material.mirror = false;
+  material.diffuseWeight = 0.0;
+  material.glossyWeight = 0.0;
+  material.dielectricWeight = 0.0;
+}
+
 void scaleBaseColour(inout Material material, vec3 scale) {
   if (kHasSurfaces) material.surface.baseColour *= scale;
   material.diffuse *= scale;

@@ -63,6 +63,8 @@ void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey
   }
   mapNormal(surface, base, scales.x, scaleRow.z);
   surface.facet = numbers.x;
+  bool hasFacets = (scaleRow.z & kNormalMapWithoutFacets) == 0u;
+  if (!hasFacets && dot(surface.shading, wo) * dot(surface.outward, wo) <= 0.0) makeBlack(material);
 }
 
 #endif

@@ -27,6 +27,10 @@ void mapLayer(const TextureReader& textures, const dvec3& rayDirection, VertexNu
   }
   applyNormalMap(textures, scene::TextureSlot::normal, surface);
   surface.facetNumber = u.facet();
+  if (scene.materials[surface.material].hasFacets) return;
+  const bool isAway = dot(surface.shadingNormal, rayDirection) >= 0;
+  arithmetic.decide(isAway);
+  if (isAway) material.makeBlack();
 }
 
 ShadingFrame::ShadingFrame(const Surface& surface, const dvec3& rayDirection, Arithmetic& arithmetic)

@@ -18,6 +18,11 @@ struct SurfaceMaterial {
     if (surface) surface->baseColour = glm::vec3(dvec3(surface->baseColour) * scale);
     bsdf.scaleBaseColour(scale);
   }
+  /// Removes all lobes. The emission stays.
+  void makeBlack() {
+    surface.reset();
+    bsdf = Bsdf(scene::Material{});
+  }
   dvec3 albedo() const { return surface ? dvec3(surface->baseColour) : bsdf.albedo(); }
 
   explicit SurfaceMaterial(const scene::Material& material)

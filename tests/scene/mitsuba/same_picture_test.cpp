@@ -51,7 +51,7 @@ TEST_CASE("Lights of Mitsuba give the scene that glTF states") {
   checkSame("punctual_lights.xml", "punctual_lights.gltf", {16, 3});
 }
 
-TEST_CASE("Rough metals, textures of alpha, and normal maps of Mitsuba give the scene that glTF states") {
+TEST_CASE("Principled surfaces of Mitsuba give the scene that glTF states") {
   checkSame("surfaces.xml", "surfaces.gltf", {16, 3});
 }
 

@@ -89,6 +89,32 @@ TEST_CASE("Materials reflect a light at normal incidence by their indices of ref
            {}, 3e-3);
 }
 
+// The eye sees the plates along their normals, so that the masking of its direction is 1. Half vectors have the cosine
+// 0.6 sqrt(2.5) and the square 1/9 of their tangent.
+TEST_CASE("Materials scatter light that arrives at an angle by their models") {
+  constexpr double kCosine = 0.8, kTangent = 0.75;
+  const double cosH = 0.6 * std::sqrt(2.5);
+  const auto ggx = [&](double alpha) {
+    const double d = 1 / (alpha * alpha * std::pow(cosH, 4) * std::pow(1 + 1 / (9 * alpha * alpha), 2));
+    return d * 2 / (1 + std::sqrt(1 + std::pow(alpha * kTangent, 2))) / 4;
+  };
+  const auto beckmann = [&](double along, double across) {
+    const double q = 1 / (along * kTangent);
+    const double masking = q >= 1.6 ? 1 : (3.535 * q + 2.181 * q * q) / (1 + 2.276 * q + 2.577 * q * q);
+    return std::exp(-1 / (9 * along * along)) / (along * across * std::pow(cosH, 4)) * masking / 4;
+  };
+  const double cosT = std::sqrt(1 - (1 - cosH * cosH) / 2.25);
+  const double s = (cosH - 1.5 * cosT) / (cosH + 1.5 * cosT), p = (cosT - 1.5 * cosH) / (cosT + 1.5 * cosH);
+  const dvec3 light(0.6, 0, kCosine), tilted = glm::normalize(dvec3(204, 128, 230) / 127.5 - 1.0);
+  const dvec3 slope = glm::normalize(dvec3(-0.64, 0, 1));  // heights rise by 2 (0.36 - 0.04) over half of the width 2
+  checkRow("scattering.xml",
+           {dvec3(ggx(0.5)), dvec3(beckmann(0.5, 0.5)), dvec3(beckmann(0.5, 0.2)), dvec3((ggx(0.04) + ggx(0.36)) / 2),
+            dvec3(0.75 * (s * s + p * p) / 2 * beckmann(0.5, 0.5)), dvec3(0.5 * dot(tilted, light)),
+            dvec3(0.5 * (kCosine + dot(slope, light)) / 2), dvec3(0.35 * kCosine), dvec3(0.75 * 0.8 * kCosine),
+            dvec3(0.8 * kCosine), dvec3(0)},
+           {}, 2e-3);
+}
+
 TEST_CASE("Slabs, panes and holes transmit a light at normal incidence") {
   const double glass = slabTransmittance(1.5);
   checkRow("transmissions.xml",

@@ -36,7 +36,7 @@ scene::Material bumped(const scene::SurfaceParameters& surface, float scale,
 }
 
 // A floor, a ball with smooth normals, and two instances of another, one of which is stretched and mirrored.
-scene::Scene bumpyBalls() {
+scene::Scene ballsWithHeights() {
   SceneBuilder b;
   b.scene.images = {heights(8)};
   b.material(bumped({.baseColour = {0.7f, 0.6f, 0.5f}, .roughness = 0.6f}, 0.2f, {.rowS = {3, 1, 0.2f}}));
@@ -59,7 +59,7 @@ scene::Scene bumpyBalls() {
   b.pointLight({-4, -4, 4}, vec3(0.3f));
   b.scene.background = vec3(0.3f);
   b.view({0, -7, 3}, {0, 0, 0.8f}, {0, 0, 1}, 45);
-  b.scene.name = "bumpy balls";
+  b.scene.name = "balls with heights";
   return b.scene;
 }
 
@@ -88,14 +88,14 @@ TEST_CASE("bump maps have the reference's pixels at equal seeds") {
     render::RenderSettings settings = squareSettings(96, 1);
     settings.image.seed = seed;
     settings.image.maxDepth = 4;
-    checkPixelsAgree(bumpyBalls(), settings);
+    checkPixelsAgree(ballsWithHeights(), settings);
   }
 }
 
 TEST_CASE("views show the normals of bump maps", "[swiftshader-slow]") {
   render::RenderSettings settings = squareSettings(64, 1);
   settings.image.integrator = render::Integrator::normal;
-  checkPixelsAgree(bumpyBalls(), settings);
+  checkPixelsAgree(ballsWithHeights(), settings);
 }
 
 TEST_CASE("a ramp of heights has the normal of the plane that it makes") {

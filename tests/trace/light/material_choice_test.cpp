@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host/image/image.h"
+#include "tests/trace/light/parallelogram.h"
 #include "tests/trace/reference/scene_builder.h"
 #include "tests/trace/render/both_tracers.h"
 #include "tests/trace/render/pixel_agreement.h"
@@ -12,19 +13,12 @@ using namespace candela;
 using namespace candela::device;
 using glm::vec3;
 using test::diffuseMaterial;
+using test::parallelogram;
 using test::SceneBuilder;
 
 namespace {
 
 const vec3 kRed(0.8f, 0.2f, 0.1f), kBlue(0.1f, 0.3f, 0.9f);
-
-scene::Mesh square(const vec3& corner, const vec3& u, const vec3& v) {
-  scene::Mesh mesh;
-  mesh.positions = {corner, corner + u, corner + u + v, corner + v};
-  mesh.texCoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
-  return mesh;
-}
 
 // Adds two materials, and a choice between them, which the next primitives have.
 std::uint32_t choose(SceneBuilder& b, const scene::Material& first, const scene::Material& second,
@@ -37,8 +31,8 @@ std::uint32_t choose(SceneBuilder& b, const scene::Material& first, const scene:
   return index + 2;
 }
 
-// A square of radius 1 in the light of a background, seen from above or from below.
-SceneBuilder sheet(bool isSeenFromBehind) {
+// A view of the origin from above or from below, in the light of a background.
+SceneBuilder skyAbove(bool isSeenFromBehind) {
   SceneBuilder b;
   b.scene.background = vec3(1);
   b.view({0, 0, isSeenFromBehind ? -5.0f : 5.0f}, {0, 0, 0}, {0, 1, 0}, 20);
@@ -74,11 +68,11 @@ scene::Scene choices() {
   mapped.textures[0] = scene::TextureReference{.rowS = {3, 0, 0}};
   const std::uint32_t textured = choose(b, mapped, roughMetal(), 0.9f);
   b.scene.materials[textured].textures[0] = scene::TextureReference{};
-  addMesh(b.scene, square({-3, 1.5f, 0}, {3, 0, 0}, {0, 0, 2.5f}), textured);
+  addMesh(b.scene, parallelogram({-3, 1.5f, 0}, {3, 0, 0}, {0, 0, 2.5f}), textured);
   scene::Material sides;
   sides.choice = scene::MaterialChoice{0, textured, std::nullopt};
   b.material(sides);
-  addMesh(b.scene, square({3, 1.5f, 0}, {-3, 0, 0}, {0, 0, 2.5f}), static_cast<std::uint32_t>(textured + 1));
+  addMesh(b.scene, parallelogram({3, 1.5f, 0}, {-3, 0, 0}, {0, 0, 2.5f}), static_cast<std::uint32_t>(textured + 1));
   b.pointLight({-1, -4, 4}, vec3(1));
   b.scene.background = vec3(0.3f);
   b.view({0, -7, 1.8f}, {0, 0, 1}, {0, 0, 1}, 45);
@@ -115,7 +109,7 @@ TEST_CASE("views show the materials that are chosen", "[swiftshader-slow]") {
 TEST_CASE("a choice of weight 0 or 1 has the film of its material") {
   onBothTracers([](const RenderFunction& render) {
     for (const float weight : {0.0f, 1.0f}) {
-      SceneBuilder chosen = sheet(false), single = sheet(false);
+      SceneBuilder chosen = skyAbove(false), single = skyAbove(false);
       choose(chosen, diffuseMaterial(kRed), roughMetal(), weight);
       single.material(weight == 0 ? diffuseMaterial(kRed) : roughMetal());
       for (SceneBuilder* b : {&chosen, &single}) b->quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
@@ -127,7 +121,7 @@ TEST_CASE("a choice of weight 0 or 1 has the film of its material") {
 TEST_CASE("a choice by side has the first material in front and the second one behind") {
   onBothTracers([](const RenderFunction& render) {
     for (const bool isSeenFromBehind : {false, true}) {
-      SceneBuilder chosen = sheet(isSeenFromBehind), single = sheet(isSeenFromBehind);
+      SceneBuilder chosen = skyAbove(isSeenFromBehind), single = skyAbove(isSeenFromBehind);
       choose(chosen, diffuseMaterial(kRed), diffuseMaterial(kBlue), std::nullopt);
       single.material(diffuseMaterial(isSeenFromBehind ? kBlue : kRed));
       for (SceneBuilder* b : {&chosen, &single}) b->quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
@@ -154,7 +148,7 @@ TEST_CASE("a choice by side is that of a sphere's own side") {
 
 TEST_CASE("the albedo of a blend is the mean of its albedos by weight") {
   onBothTracers([](const RenderFunction& render) {
-    SceneBuilder b = sheet(false);
+    SceneBuilder b = skyAbove(false);
     choose(b, diffuseMaterial(vec3(0.2f)), diffuseMaterial(vec3(0.8f)), 0.25f);
     b.quad({-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0});
     const double mean = meanLuminance(render(b.scene, squareSettings(16, 1024)).film);
@@ -165,12 +159,12 @@ TEST_CASE("the albedo of a blend is the mean of its albedos by weight") {
 
 TEST_CASE("the weight of a blend is its factor times the alpha of its texture") {
   onBothTracers([](const RenderFunction& render) {
-    SceneBuilder b = sheet(false);
+    SceneBuilder b = skyAbove(false);
     const std::uint32_t either = choose(b, diffuseMaterial(vec3(0)), diffuseMaterial(vec3(1)), 0.5f);
     const scene::TextureReference nearest{.filter = scene::TextureFilter::nearest};
     b.scene.materials[either].textures[0] = nearest;
     b.scene.images = {{"", 2, 1, {0x00ffffffu, 0xff000000u}}};
-    addMesh(b.scene, square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), either);
+    addMesh(b.scene, parallelogram({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}), either);
     const image::Image seen = image::toImage(render(b.scene, squareSettings(16, 1024)).film);
     double left = 0, right = 0;
     for (std::uint32_t y = 0; y < 16; ++y) {
@@ -187,9 +181,9 @@ TEST_CASE("the weight of a blend is its factor times the alpha of its texture") 
 TEST_CASE(
     "the weight of a blend is also scaled by the alpha of vertex colours, whose colour is that of both materials") {
   onBothTracers([](const RenderFunction& render) {
-    SceneBuilder b = sheet(false);
+    SceneBuilder b = skyAbove(false);
     const std::uint32_t either = choose(b, diffuseMaterial(vec3(0)), diffuseMaterial(vec3(1)), 0.5f);
-    scene::Mesh mesh = square({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    scene::Mesh mesh = parallelogram({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
     mesh.colours.assign(4, {0.5f, 0.5f, 0.5f, 0.25f});
     addMesh(b.scene, std::move(mesh), either);
     const double mean = meanLuminance(render(b.scene, squareSettings(16, 1024)).film);

@@ -185,6 +185,23 @@ TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, w
   });
 }
 
+TEST_CASE("a surface without facets is black where its mapped normal faces away from the eye") {
+  // The normal is tilted to the left by 53 degrees, and the eye is low on either side.
+  SceneBuilder b;
+  b.scene.images = {oneTexel(26, 128, 204)};
+  b.scene.background = vec3(1);
+  b.material(mapped({.specularWeight = 0}));
+  b.scene.materials[0].hasFacets = false;
+  addMesh(b.scene, flatSquare(1), 0);
+  onBothTracers([&](const RenderFunction& render) {
+    for (const float side : {-1.0f, 1.0f}) {
+      b.view({5 * side, 0, 1}, {0, 0, 0}, {0, 0, 1}, 0.1f);
+      const double mean = meanLuminance(render(b.scene, squareSettings(4, 64)).film);
+      CHECK((side > 0 ? mean == 0 : mean > 0.5));
+    }
+  });
+}
+
 TEST_CASE("facets and the mirrors between them are seen in proportion to their projected areas", "[swiftshader-slow]") {
   // The normal is tilted by 30 degrees to the right, and the eye is 45 degrees to the left. Facets reflect it to the
   // horizon on the right; those that are seen in a mirror reflect it to a light near the zenith.

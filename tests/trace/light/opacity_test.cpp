@@ -5,6 +5,7 @@
 #include <random>
 
 #include "host/image/image.h"
+#include "tests/trace/light/parallelogram.h"
 #include "tests/trace/reference/scene_builder.h"
 #include "tests/trace/render/both_tracers.h"
 #include "tests/trace/render/pixel_agreement.h"
@@ -13,17 +14,10 @@ using namespace candela;
 using namespace candela::device;
 using glm::vec3;
 using test::diffuseMaterial;
+using test::parallelogram;
 using test::SceneBuilder;
 
 namespace {
-
-scene::Mesh square(const vec3& corner, const vec3& u, const vec3& v) {
-  scene::Mesh mesh;
-  mesh.positions = {corner, corner + u, corner + u + v, corner + v};
-  mesh.texCoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  mesh.indices = {0, 1, 2, 0, 2, 3};
-  return mesh;
-}
 
 void add(SceneBuilder& b, scene::Material material, const scene::Opacity& opacity, scene::Mesh mesh) {
   material.opacity = opacity;
@@ -44,17 +38,18 @@ scene::Scene sheets() {
   b.material(diffuseMaterial(vec3(0), vec3(4))).quad({-1, -1, 4}, {-1, 1, 4}, {1, 1, 4}, {1, -1, 4});
   b.pointLight({3, -4, 3}, vec3(0.5f));
   const scene::Material red = diffuseMaterial({0.8f, 0.2f, 0.2f});
-  add(b, red, {.factor = 0.4f}, square({-2, -1, 0.1f}, {4, 0, 0}, {0, 0, 1}));
-  add(b, red, {.texture = scene::TextureReference{}}, square({-2, -1.5f, 0.6f}, {4, 0, 0}, {0, 0, 1}));
-  add(b, red, {.cutoff = 0.5f, .texture = scene::TextureReference{}}, square({-1.5f, -1.5f, 2}, {3, 0, 0}, {0, 3, 0}));
-  scene::Mesh smooth = square({-2, 2.2f, 0}, {4, 0, 0}, {0, 0, 2.5f});
+  add(b, red, {.factor = 0.4f}, parallelogram({-2, -1, 0.1f}, {4, 0, 0}, {0, 0, 1}));
+  add(b, red, {.texture = scene::TextureReference{}}, parallelogram({-2, -1.5f, 0.6f}, {4, 0, 0}, {0, 0, 1}));
+  add(b, red, {.cutoff = 0.5f, .texture = scene::TextureReference{}},
+      parallelogram({-1.5f, -1.5f, 2}, {3, 0, 0}, {0, 3, 0}));
+  scene::Mesh smooth = parallelogram({-2, 2.2f, 0}, {4, 0, 0}, {0, 0, 2.5f});
   smooth.normals.assign(4, {0, -1, 0});
   const scene::TextureReference nearest{.filter = scene::TextureFilter::nearest, .rowS = {2, 0, 0}};
   add(b, red, {.factor = 0.9f, .cutoff = 0.25f, .texture = nearest}, smooth);
-  scene::Mesh coloured = square({-2.5f, -2, 0}, {1, -0.5f, 0}, {0, 0, 2});
+  scene::Mesh coloured = parallelogram({-2.5f, -2, 0}, {1, -0.5f, 0}, {0, 0, 2});
   coloured.colours = {{1, 0, 0, 0}, {0, 1, 0, 1}, {0, 0, 1, 0.5f}, {1, 1, 1, 0.25f}};
   add(b, diffuseMaterial(vec3(1)), {}, coloured);
-  scene::Mesh glowing = square({1.5f, -2, 0}, {1, 0.5f, 0}, {0, 0, 2});
+  scene::Mesh glowing = parallelogram({1.5f, -2, 0}, {1, 0.5f, 0}, {0, 0, 2});
   add(b, diffuseMaterial(vec3(0), vec3(0.8f)), {.factor = 0.7f, .texture = scene::TextureReference{}}, glowing);
   b.scene.background = vec3(0.05f);
   b.view({0, -8, 2.5f}, {0, 0, 1.2f}, {0, 0, 1}, 40);
@@ -68,7 +63,7 @@ SceneBuilder wallBehind(const std::vector<scene::Opacity>& opacities) {
   b.material(diffuseMaterial(vec3(0), vec3(1))).quad({-9, -9, -1}, {9, -9, -1}, {9, 9, -1}, {-9, 9, -1});
   float height = 0;
   for (const scene::Opacity& opacity : opacities) {
-    add(b, diffuseMaterial(vec3(0)), opacity, square({-1, -1, height}, {2, 0, 0}, {0, 2, 0}));
+    add(b, diffuseMaterial(vec3(0)), opacity, parallelogram({-1, -1, height}, {2, 0, 0}, {0, 2, 0}));
     height += 0.1f;
   }
   b.view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 20);
@@ -122,7 +117,8 @@ TEST_CASE("a sheet lets shadow rays pass with probability 1 - alpha") {
     const auto lit = [&](bool covered) {
       SceneBuilder b;
       b.material(diffuseMaterial(vec3(1))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
-      if (covered) add(b, diffuseMaterial(vec3(0)), {.factor = 0.3f}, square({-9, -9, 5}, {18, 0, 0}, {0, 18, 0}));
+      if (covered)
+        add(b, diffuseMaterial(vec3(0)), {.factor = 0.3f}, parallelogram({-9, -9, 5}, {18, 0, 0}, {0, 18, 0}));
       b.pointLight({0, 0, 6}, vec3(1));
       b.view({0, -2, 3}, {0, 0, 0}, {0, 0, 1}, 20);
       return meanLuminance(render(b.scene, squareSettings(16, 256)).film);
