@@ -31,16 +31,33 @@ vec3 directionOfTexel(Surface surface, uint reference, float scale) {
 }
 
 // Replaces the shading normal of such a surface by that of the normal map that `reference` selects, unless it is 0.
-// `flags`: kNormalMap...
-void mapNormal(inout Surface surface, uint reference, float scale, uint flags) {
+// `flags`: kNormalMap... `wo` is the direction to the eye.
+void mapNormal(inout Surface surface, uint reference, float scale, uint flags, vec3 wo) {
   if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
   bool hasHeights = kHasBumpMaps && (flags & kNormalMapHeights) != 0u;
   vec3 sum = hasHeights ? bumpedNormal(surface, reference, scale) : directionOfTexel(surface, reference, scale);
   float squared = dot(sum, sum);
   if (squared == 0.0) return;
   vec3 mapped = sum * (1.0 / sqrt(squared));
+  if ((flags & kNormalMapWithoutFacets) != 0u) {
+    surface.unmapped = surface.shading;
+    bool isAway = dot(mapped, wo) * dot(surface.shading, wo) <= 0.0;
+    surface.shading = isAway ? -mirroredAt(surface.shading, mapped) : mapped;
+    return;
+  }
   surface.shading = dot(mapped, surface.outward) < 0.0 ? mirroredAt(surface.outward, mapped) : mapped;
-  surface.isMapped = (flags & kNormalMapWithoutFacets) == 0u;
+  surface.isMapped = true;
+}
+
+// Returns the fraction of the light from wi that the bumps of a normal map without facets do not shadow. `unmapped` is
+// the normal without the map, or 0 if there is none.
+float bumpShadowing(vec3 unmapped, vec3 wi) {
+  if (unmapped == vec3(0.0)) return 1.0;
+  float cosine = abs(unmapped.z);
+  float squared = min(0.125 * max(0.0, 1.0 - cosine * cosine) / (cosine * cosine), 1.0);
+  float incident = abs(dot(unmapped, wi));
+  if (incident == 0.0) return 0.0;
+  return 2.0 / (1.0 + sqrt(1.0 + squared * max(0.0, 1.0 - incident * incident) / (incident * incident)));
 }
 
 // Returns the direction by which the facet sees the ray from wo: wo, or its reflection in a facet that is perpendicular to

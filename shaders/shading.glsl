@@ -14,12 +14,14 @@ struct Shading {
   vec3 wo;      // local
   bool outside; // wo is on the side of the primitive's own normal
   Facets facets;
+  vec3 unmapped;  // Surface::unmapped, local
 };
 
 Shading shadingAt(Surface surface, vec3 wo) {
   Normals normals = normalsTowards(surface, wo);
   mat3 frame = kHasAnisotropy ? frameAlong(normals.shading, surface.anisotropyDirection) : frameAround(normals.shading);
-  Shading shading = Shading(frame, surface.outward, wo * frame, normals.outside, kNoFacets);
+  Shading shading = Shading(frame, surface.outward, wo * frame, normals.outside, kNoFacets, vec3(0.0));
+  if (kHasNormalMaps) shading.unmapped = surface.unmapped * frame;
   if (kHasNormalMaps && surface.isMapped) {
     shading.facets = Facets(true, normals.geometric * frame);
     shading.wo = seenByFacet(shading.facets, shading.wo, surface.facet);
@@ -51,7 +53,7 @@ void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey
   vec2 scales = uintBitsToFloat(scaleRow.xy);
   if (kHasCoat && material.surface.coatWeight > 0.0) {
     Surface coated = surface;
-    mapNormal(coated, coat, scales.y, scaleRow.z & kNormalMapWithoutFacets);
+    mapNormal(coated, coat, scales.y, scaleRow.z & kNormalMapWithoutFacets, wo);
     coated.facet = numbers.z;
     material.surface.isCoatAlone =
         numbers.y < coatReflectance(material.surface.coatWeight, shadingAt(coated, wo).wo.z);
@@ -61,7 +63,7 @@ void mapLayer(inout Surface surface, inout Material material, vec3 wo, SampleKey
     }
     material.surface.coatWeight = 0.0;
   }
-  mapNormal(surface, base, scales.x, scaleRow.z);
+  mapNormal(surface, base, scales.x, scaleRow.z, wo);
   surface.facet = numbers.x;
   bool hasFacets = (scaleRow.z & kNormalMapWithoutFacets) == 0u;
   if (!hasFacets && dot(surface.shading, wo) * dot(surface.outward, wo) <= 0.0) makeBlack(material);

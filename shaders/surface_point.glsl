@@ -23,7 +23,8 @@ struct Surface {
   float alpha;      // of the vertex colour, in scenes with choices of materials
   vec4 tangent;     // unit vector along the texture, in the orientation of `outward`, and handedness; 0: none
   vec3 anisotropyDirection;  // direction in which the material is rougher; 0: none
-  bool isMapped;    // `shading` is that of a normal map
+  bool isMapped;    // `shading` is that of a normal map with facets
+  vec3 unmapped;    // `shading` without its normal map, if this has no facets; else 0
   float facet;      // the number that chooses a facet then
   vec4 jitter;      // of textures here (x, y) and at the light that is sampled (z, w); the integrator sets it
 };
@@ -87,6 +88,7 @@ Surface surfaceAt(Ray ray, Hit hit) {
   surface.tangent = vec4(0.0);
   surface.anisotropyDirection = vec3(0.0);
   surface.isMapped = false;
+  surface.unmapped = vec3(0.0);
   surface.facet = 0.0;
   surface.jitter = vec4(0.0);
   if (kHasSpheres && isKind(surface.kind, kKindSphere)) {

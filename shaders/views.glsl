@@ -30,7 +30,8 @@ vec3 viewOfHit(Ray ray, Hit hit, SampleKey key, inout Work work, inout RayCounts
   if (kHasNormalMaps && kView == kViewNormal && hasTangents(surface)) {
     uint index = surface.kind >> kMaterialShift;
     uvec4 scales = sceneRow(materialTextureRow(index) + kScaleRow);
-    mapNormal(surface, textureOf(index, kSlotNormal), uintBitsToFloat(scales.x), scales.z);
+    mapNormal(surface, textureOf(index, kSlotNormal), uintBitsToFloat(scales.x), scales.z,
+              -ray.direction);
   }
   Normals normals = normalsTowards(surface, -ray.direction);
   if (kView == kViewAo) return vec3(openness(surface, normals, key, work, counts, decisions));

@@ -389,15 +389,18 @@ void Bsdfs::setOpacity(const Texture& opacity, const Object& bsdf, Bsdf& result)
 }
 
 /// Sets the normal map of a BSDF, or of each of those between which it is a choice.
-void Bsdfs::setNormalMap(const scene::TextureReference& map, float scale, bool hasHeights, const Object& bsdf,
-                         Bsdf& result) {
+void Bsdfs::setNormalMap(const Texture& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result) {
+  for (const char* const name : {"flip_invalid_normals", "use_shadowing_function"}) {
+    if (!bsdf.flag(name, true)) report_.omit(fmt::format("\"{}\" false of {}", name, bsdf.description()));
+  }
+  if (result.isInvisible || !map.reference) return;
   forEachLeaf(result, [&](Bsdf& leaf) {
     makeSurface(leaf.material);
     if (hasNormalMap(leaf.material)) {
       report_.deviate(bsdf.place, "a map of normals or heights of a BSDF that has one already is not rendered",
                       "takes the outer one");
     }
-    set(leaf.material, TextureSlot::normal, map);
+    set(leaf.material, TextureSlot::normal, map.reference);
     leaf.material.normalScale = scale;
     leaf.material.hasHeights = hasHeights;
     leaf.material.hasFacets = false;
@@ -406,9 +409,8 @@ void Bsdfs::setNormalMap(const scene::TextureReference& map, float scale, bool h
 
 Bsdf Bsdfs::normalMap(const Object& bsdf, int depth) {
   Bsdf result = nested(bsdf, depth);
-  bsdf.ignore({"flip_invalid_normals", "use_shadowing_function"}, report_);
   const Texture map = textures_.read(bsdf, "normalmap", 1, ColourUse::unbounded, Encoding::linear);
-  if (!result.isInvisible && map.reference) setNormalMap(*map.reference, 1, false, bsdf, result);
+  setNormalMap(map, 1, false, bsdf, result);
   return result;
 }
 
@@ -418,8 +420,7 @@ Bsdf Bsdfs::bumpMap(const Object& bsdf, int depth) {
   if (!texture) throw PlacedError{bsdf.place, "a BSDF \"bumpmap\" has a nested texture"};
   const double scale = bsdf.number("scale", 1);
   const Texture map = textures_.readObject(*texture, ColourUse::unbounded, Encoding::height);
-  const auto factor = static_cast<float>(scale * map.factor.x);
-  if (!result.isInvisible && map.reference) setNormalMap(*map.reference, factor, true, bsdf, result);
+  setNormalMap(map, static_cast<float>(scale * map.factor.x), true, bsdf, result);
   return result;
 }
 

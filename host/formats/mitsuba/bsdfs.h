@@ -69,7 +69,7 @@ class Bsdfs {
   Bsdf nested(const Object& bsdf, int depth);
 
   void setOpacity(const Texture& opacity, const Object& bsdf, Bsdf& result);
-  void setNormalMap(const scene::TextureReference& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
+  void setNormalMap(const Texture& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
   void setRoughness(const Object& bsdf, scene::Material& material);
   scene::Interface distribution(const Object& bsdf);
   glm::dvec3 constant(const Object& bsdf, const char* name, double absent, ColourUse use);

@@ -28,17 +28,35 @@ std::optional<dvec3> normalOfTexel(const TextureReader& textures, scene::Texture
 
 }  // namespace
 
-void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface) {
+void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, const dvec3& rayDirection,
+                    Surface& surface) {
   const scene::Material& material = textures.scene.materials[surface.material];
   const bool hasHeights = material.hasHeights && slot == scene::TextureSlot::normal;
   const std::optional<dvec3> normal = hasHeights ? bumpedNormal(textures, surface)
                                                  : normalOfTexel(textures, slot, surface);
   if (!normal || *normal == dvec3(0) || surface.attributes.tangent == dvec3(0)) return;
   dvec3 mapped = normalize(*normal);
-  const double cosine = dot(mapped, surface.outwardNormal);
-  if (cosine < 0) mapped -= 2 * cosine * surface.outwardNormal;
-  surface.shadingNormal = surface.fromOutside ? mapped : -mapped;
   surface.isMapped = material.hasFacets;
+  if (!material.hasFacets) {
+    surface.unmappedNormal = surface.smoothNormal;
+    const bool isAway = dot(mapped, rayDirection) * dot(surface.smoothNormal, rayDirection) <= 0;
+    textures.arithmetic.decide(isAway);
+    if (isAway) mapped = 2 * dot(mapped, surface.smoothNormal) * surface.smoothNormal - mapped;
+  } else if (const double cosine = dot(mapped, surface.outwardNormal); cosine < 0) {
+    mapped -= 2 * cosine * surface.outwardNormal;
+  }
+  surface.shadingNormal = surface.fromOutside ? mapped : -mapped;
+}
+
+double bumpShadowing(const dvec3& mapped, const dvec3& unmapped, const dvec3& wi) {
+  const auto squaredTangent = [&](const dvec3& w) {
+    const double cosine = dot(unmapped, w);
+    const dvec3 across = w - cosine * unmapped;
+    return dot(across, across) / (cosine * cosine);
+  };
+  const double alphaSquared = std::min(squaredTangent(mapped) / 8, 1.0);
+  const double fraction = 2 / (1 + std::sqrt(1 + alphaSquared * squaredTangent(wi)));
+  return std::isnan(fraction) ? 0 : fraction;
 }
 
 double NormalMapFacets::directProbability(const dvec3& wo) const {

@@ -8,8 +8,14 @@
 
 namespace candela::reference {
 
-/// Replaces the shading normal of a surface by that of a normal map of its material, if there is one in the slot.
-void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, Surface& surface);
+/// Replaces the shading normal of a surface, at which a ray of this direction arrives, by that of a normal map of its
+/// material, if there is one in the slot.
+void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, const dvec3& rayDirection,
+                    Surface& surface);
+
+/// Returns the fraction of the light from `wi` that the bumps of a normal map without facets do not shadow (Conty
+/// Estevez, Lecocq and Stein, "A Microfacet-Based Shadowing Function to Solve the Bump Terminator Problem", 2019).
+double bumpShadowing(const dvec3& mapped, const dvec3& unmapped, const dvec3& wi);
 
 /// The facets of a normal map, in the frame of the mapped normal.
 class NormalMapFacets {

@@ -14,7 +14,7 @@ void mapLayer(const TextureReader& textures, const dvec3& rayDirection, VertexNu
   if (!hasTangents(scene, scene.primitives[surface.primitive])) return;
   if (material.surface && material.surface->coatWeight > 0) {
     Surface coat = surface;
-    applyNormalMap(textures, scene::TextureSlot::coatNormal, coat);
+    applyNormalMap(textures, scene::TextureSlot::coatNormal, rayDirection, coat);
     coat.facetNumber = u.coatFacet();
     const double cosine = ShadingFrame(coat, rayDirection, arithmetic).wo.z;
     material.isCoatAlone = arithmetic.choice(u.layer()) < coatReflectance(material.surface->coatWeight, cosine);
@@ -25,7 +25,7 @@ void mapLayer(const TextureReader& textures, const dvec3& rayDirection, VertexNu
     }
     material.surface->coatWeight = 0;
   }
-  applyNormalMap(textures, scene::TextureSlot::normal, surface);
+  applyNormalMap(textures, scene::TextureSlot::normal, rayDirection, surface);
   surface.facetNumber = u.facet();
   if (scene.materials[surface.material].hasFacets) return;
   const bool isAway = dot(surface.shadingNormal, rayDirection) >= 0;
@@ -60,8 +60,15 @@ LightReceiver Shading::receiver() const {
           bsdf_.scattersTo(Side::transmission)};
 }
 
+double Shading::bumpShadowing(const dvec3& wi) const {
+  if (surface_.unmappedNormal == dvec3(0)) return 1;
+  return reference::bumpShadowing({0, 0, 1}, frame.toLocal(surface_.unmappedNormal), wi);
+}
+
 BsdfValue Shading::valueOf(const dvec3& wi, Side side) const {
-  return arithmetic_.bsdfValue(scatteredValue(bsdf_, facets, wo, wi, side), bsdf_);
+  BsdfValue value = scatteredValue(bsdf_, facets, wo, wi, side);
+  value.f *= bumpShadowing(wi);
+  return arithmetic_.bsdfValue(value, bsdf_);
 }
 
 bool Shading::isOn(Side side, const dvec3& wi) const {
@@ -87,7 +94,7 @@ Scattering Shading::sampleDelta(render::Lobe lobe, VertexNumbers u) const {
   const DeltaSample sample = lobe == render::Lobe::mirror
                                  ? bsdf_.sampleMirror(wo)
                                  : bsdf_.sampleDielectric(wo, surface_.fromOutside, arithmetic_.choice(u.bsdf().x));
-  Scattering next{sample.lobe, toWorld(sample.wi), sample.weight, std::nullopt};
+  Scattering next{sample.lobe, toWorld(sample.wi), bumpShadowing(sample.wi) * sample.weight, std::nullopt};
   if (!isOn(next.side(), next.wi)) next.weight = dvec3(0);
   return next;
 }
@@ -95,7 +102,7 @@ Scattering Shading::sampleDelta(render::Lobe lobe, VertexNumbers u) const {
 Scattering Shading::sampleInterface(VertexNumbers u) const {
   const DeltaSample sample = bsdf_.interface()->sampleSmooth(arithmetic_.choice(u.lobe()));
   const dvec3 local = leavingDirection(facets, {sample.lobe, sample.wi, 0});
-  Scattering next{sample.lobe, toWorld(local), sample.weight, std::nullopt};
+  Scattering next{sample.lobe, toWorld(local), bumpShadowing(local) * sample.weight, std::nullopt};
   if (!isOn(next.side(), next.wi)) next.weight = dvec3(0);
   return next;
 }

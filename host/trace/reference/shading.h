@@ -61,6 +61,8 @@ class Shading : public ShadingFrame {
   Scattering sample(VertexNumbers u) const;
 
  private:
+  /// Returns the fraction of the light from `wi`, which is local, that the bumps of a normal map do not shadow.
+  double bumpShadowing(const dvec3& wi) const;
   dvec3 toWorld(const dvec3& local) const { return arithmetic_.direction(frame.toWorld(local)); }
   Scattering sampleSurface(VertexNumbers u) const;
   Scattering sampleInterface(VertexNumbers u) const;

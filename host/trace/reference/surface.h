@@ -19,9 +19,10 @@ struct Surface {
   glm::dvec2 textureJitter{0};       ///< the two random numbers with which textures are looked up here,
   glm::dvec2 lightTextureJitter{0};  ///< and at the light that is sampled
   dvec3 anisotropyDirection{0};      ///< direction in which the material is rougher; 0: none
-  bool isMapped = false;             ///< shadingNormal is that of a normal map, and the ray may arrive below it
-  Contact contact = Contact::none;   ///< of the rays that start here
-  double facetNumber = 0;            ///< the random number that chooses a facet of the normal map
+  bool isMapped = false;    ///< shadingNormal is that of a normal map with facets, and the ray may arrive below it
+  dvec3 unmappedNormal{0};  ///< shadingNormal without its normal map, if this has no facets; else 0
+  Contact contact = Contact::none;  ///< of the rays that start here
+  double facetNumber = 0;           ///< the random number that chooses a facet of the normal map
 };
 
 /// `hit` must be a hit of `ray`.

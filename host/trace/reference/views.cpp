@@ -56,7 +56,7 @@ dvec3 ViewTracer::radiance(const Ray& ray, SampleState& state) const {
     jitterTextures(surface, numbers, 1);
     chooseMaterial({scene(), arithmetic}, VertexNumbers(numbers, 1), surface);
     if (view_ == render::Integrator::normal) {
-      applyNormalMap({scene(), arithmetic}, scene::TextureSlot::normal, surface);
+      applyNormalMap({scene(), arithmetic}, scene::TextureSlot::normal, ray.direction, surface);
     }
     value = valueAt(hit, surface, state, vertex);
   }

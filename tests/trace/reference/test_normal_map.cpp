@@ -35,7 +35,7 @@ Surface surfaceOf(const scene::Scene& scene, double height) {
   const Ray ray{{0, -1, height}, {0, 0, height > 0 ? -1 : 1}};
   Arithmetic exact;
   Surface surface = surfaceAt(scene, ray, {std::abs(height), 0});
-  applyNormalMap({scene, exact}, scene::TextureSlot::normal, surface);
+  applyNormalMap({scene, exact}, scene::TextureSlot::normal, ray.direction, surface);
   return surface;
 }
 
