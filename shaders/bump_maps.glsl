@@ -7,8 +7,7 @@
 
 // Returns the derivatives by s and t of the red that a reference has, interpolated among four texels.
 vec2 gradientOfRed(Lookup at) {
-  vec2 position = vec2(at.size) * vec2(reducedCoordinate(at.st.x, at.wrap.x), reducedCoordinate(at.st.y, at.wrap.y));
-  vec2 weight = fract(position - 0.5);
+  vec2 weight = nextTexelWeights(at);
   float upperLeft = redOf(texelAt(at, vec2(-0.5)));
   float upperRight = redOf(texelAt(at, vec2(0.5, -0.5)));
   float lowerLeft = redOf(texelAt(at, vec2(-0.5, 0.5)));

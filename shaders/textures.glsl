@@ -114,12 +114,17 @@ float greenOf(uvec2 texel) { return channelValue(channelsOf(texel).y); }
 float blueOf(uvec2 texel) { return channelValue(channelsOf(texel).z); }
 float alphaOf(uvec2 texel) { return channelValue(channelsOf(texel).w); }
 
+// Returns the weights of the next texels across and down among the four around the coordinates of a lookup.
+vec2 nextTexelWeights(Lookup at) {
+  vec2 position = vec2(at.size) * vec2(reducedCoordinate(at.st.x, at.wrap.x), reducedCoordinate(at.st.y, at.wrap.y));
+  return fract(position - 0.5);
+}
+
 // Returns the alpha of a reference, interpolated among four texels unless its filter is `nearest`.
 float filteredAlpha(uint reference, vec4 texCoords) {
   Lookup at = lookupAt(reference, texCoords);
   if (at.nearest) return alphaOf(texelAt(at, vec2(0.0)));
-  vec2 position = vec2(at.size) * vec2(reducedCoordinate(at.st.x, at.wrap.x), reducedCoordinate(at.st.y, at.wrap.y));
-  vec2 weight = fract(position - 0.5);
+  vec2 weight = nextTexelWeights(at);
   float upper = mix(alphaOf(texelAt(at, vec2(-0.5))), alphaOf(texelAt(at, vec2(0.5, -0.5))), weight.x);
   float lower = mix(alphaOf(texelAt(at, vec2(-0.5, 0.5))), alphaOf(texelAt(at, vec2(0.5))), weight.x);
   return mix(upper, lower, weight.y);

@@ -85,8 +85,8 @@ struct MaterialChoice {
 
 /// Either `surface`, or `choice`, or lobes, at most one of each kind; a material with none of them is black. The lobes'
 /// weights sum to at most 1, except for rounding. A mirror lobe is the only lobe of its material. Of a choice, opacity
-/// and emission are those of the whole surface, and both materials have the same emission. The materials of
-/// a choice by weight may be choices by side, or the other way round, but no more.
+/// and emission are those of the whole surface, and both materials have the same emission. The materials of a
+/// choice by weight may be choices by side, or the other way round, but no more.
 struct Material {
   std::optional<SurfaceParameters> surface;
   std::optional<MaterialChoice> choice;

@@ -22,8 +22,8 @@ double meanOf(const Function& function) {
 }  // namespace
 
 // The light shines along the view, so that a white surface has the radiance of the cosine between its normal and both.
-// That of a sphere whose depth is stretched by 2 is sqrt((1 - u)/(1 + 3u)) at the distance sqrt(u) from the axis, and
-// that of a cylinder the same at u = x^2. A ball and a disk cover the fraction pi/4 of a pixel.
+// It is sqrt((1 - u)/(1 + 3u)) for a sphere whose depth is stretched by 2, at the distance sqrt(u) from the axis, and
+// the same for a cylinder at u = x^2. A ball and a disk cover the fraction pi/4 of a pixel.
 TEST_CASE("Round shapes of Mitsuba, exact ones and meshes, have the pictures of the exact shapes") {
   const double quarter = std::numbers::pi / 4;
   const auto stretched = [](double u) { return std::sqrt((1 - u) / (1 + 3 * u)); };
