@@ -19,7 +19,8 @@ EnvironmentTap loadTap(uint texel, float sine) {
 }
 
 // Returns the texel at a point of the map, which may be beyond its edges by less than its size.
-uint texelAt(vec2 point, vec2 size) {
+uint texelAt(vec2 point) {
+  vec2 size = constants.environmentSize;
   bool beyond = point.y < 0.0 || point.y > size.y;
   float x = point.x + (beyond ? 0.5 * size.x : 0.0);
   float y = point.y < 0.0 ? -point.y : (beyond ? 2.0 * size.y - point.y : point.y);
@@ -32,10 +33,10 @@ uint texelAt(vec2 point, vec2 size) {
 EnvironmentTap environmentTap(vec3 direction, vec2 jitter) {
   vec2 horizontal = vec2(dot(direction, constants.environmentX), dot(direction, constants.environmentZ));
   float sine = sqrt(dot(horizontal, horizontal));
-  vec2 size = vec2(constants.environmentWidth, constants.environmentHeight);
   float across = 0.5 + turnsOf(horizontal);
   float down = 2.0 * turnsOf(vec2(dot(direction, constants.environmentY), sine));
-  return loadTap(texelAt(size * vec2(across, down) + jitter - 0.5, size), sine);
+  vec2 place = vec2(constants.environmentSize.x * across, constants.environmentPole + constants.environmentRows * down);
+  return loadTap(texelAt(place + jitter - 0.5), sine);
 }
 
 // Returns the number of records that a list of `count` ends and the spans of its numbers take.
@@ -72,8 +73,10 @@ LightSample sampleEnvironment(uvec2 words, vec2 point, inout uint truncated) {
   uint texel = chooseTexel(words, truncated);
   float s = float(texel % constants.environmentWidth) + 0.5 + sampleTent(point.x);
   float t = float(texel / constants.environmentWidth) + 0.5 + sampleTent(point.y);
-  vec2 azimuth = -cosSinOfTurns(s / float(constants.environmentWidth));
-  vec2 polar = cosSinOfTurns(0.5 * t / float(constants.environmentHeight));  // its sine is negative beyond the poles
+  vec2 azimuth = -cosSinOfTurns(s / constants.environmentSize.x);
+  // Its sine is negative beyond the poles, where the azimuth is the opposite one, unless the tent is folded there.
+  vec2 polar = cosSinOfTurns(0.5 * (t - constants.environmentPole) / constants.environmentRows);
+  if (constants.environmentPole > 0.0) polar.y = abs(polar.y);
   vec3 wi = polar.y * (azimuth.x * constants.environmentX + azimuth.y * constants.environmentZ) +
             polar.x * constants.environmentY;
   float sine = abs(polar.y);

@@ -12,6 +12,8 @@ struct EnvironmentRequest {
   std::string source;   ///< image file, "white" or "sun:ELEVATION,AZIMUTH,TURBIDITY"; empty: no environment
   double rotation = 0;  ///< degrees about the axis that points up, counterclockwise seen from above
   double scale = 1;     ///< factor of all radiances, >= 0
+  /// The first and the last row of the image lie at the poles, if it has two or more: Environment::hasRowsAtPoles.
+  bool hasRowsAtPoles = false;
 };
 
 /// Equirectangular map in its own frame, whose y axis points up.
@@ -25,7 +27,12 @@ struct Environment {
   std::vector<glm::vec3> texels;       ///< linear radiance >= 0, finite, row by row from the top
   std::vector<std::uint64_t> weights;  ///< of the choice of each texel; their sum is kMeanWeight times the number of
                                        ///< texels, or 0 if the map is black
+  /// The centres of the first and the last row lie at the poles, as in Mitsuba's maps, instead of half a row from them.
+  bool hasRowsAtPoles = false;
   glm::vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  ///< x, y and z axis of the map's frame, in the scene
+
+  /// Returns the offset o of the poles from the upper and the lower edge of the map, in rows.
+  double offsetOfPoles() const { return hasRowsAtPoles ? 0.5 : 0; }
 
   bool operator==(const Environment&) const = default;
 };

@@ -6,8 +6,8 @@
 #include "language.h"
 CANDELA_BEGIN
 
-// Constants of a render. Each 16 bytes contain a vector of three and a scalar, or four scalars, so that std140 and C++
-// give every member the same offset.
+// Constants of a render. Each 16 bytes contain a vector of three and a scalar, or scalars and pairs, so that std140 and
+// C++ give every member the same offset.
 struct RenderConstants {
   vec3 cameraOrigin;
   float pixelOriginX;         // position within its pixel of a ray without jitter, horizontal
@@ -61,6 +61,9 @@ struct RenderConstants {
   uint topNode;  // the root of the BVH over instances
   uint firstAttributeRow;
   uint firstLightTreeRow;  // its header
+  vec2 environmentSize;    // texels
+  float environmentPole;   // offset of the poles from the upper and the lower edge of the map, in rows
+  float environmentRows;   // between the poles
 };
 
 // Maximum number of primitives, and of their records, that the uniform buffer holds for small scenes: see

@@ -8,12 +8,10 @@
 #include <cmath>
 
 #include "host/base/errors.h"
-#include "host/base/memory_budget.h"
 #include "host/base/quote.h"
 #include "host/formats/mitsuba/names.h"
 #include "host/formats/mitsuba/transform.h"
 #include "host/scene/environment/environment.h"
-#include "host/scene/environment/weights.h"
 
 namespace candela::mitsuba {
 namespace {
@@ -34,25 +32,6 @@ double versine(double angle) { return 2 * std::pow(std::sin(angle / 2), 2); }
 double innerVersine(double cutoff, double beam) {
   const double power = cutoff > beam ? 1 - (std::sin(cutoff) - std::sin(beam)) / (cutoff - beam) : versine(cutoff);
   return std::clamp((3 * power - versine(cutoff)) / 2, 0.0, versine(cutoff));
-}
-
-/// The first and the last row of Mitsuba's maps are the poles, between which the others are equally distant; Candela's
-/// have half of that distance from the poles. The map gets twice as many rows, interpolated. The result differs from
-/// Mitsuba's only within a quarter of the distance of its rows from each, where it is cut short; means are equal.
-void moveRowsToPoles(scene::Environment& map) {
-  std::vector<glm::vec3> texels;
-  texels.reserve(std::size_t{2} * (map.height - 1) * map.width);
-  for (std::size_t row = 0; row + 1 < map.height; ++row) {
-    for (const float weight : {0.25f, 0.75f}) {
-      for (std::size_t x = 0; x < map.width; ++x) {
-        const std::size_t i = row * map.width + x;
-        texels.push_back(glm::mix(map.texels[i], map.texels[i + map.width], weight));
-      }
-    }
-  }
-  map.height = 2 * (map.height - 1);
-  map.texels = std::move(texels);
-  environment::setWeights(map);
 }
 
 }  // namespace
@@ -170,17 +149,10 @@ void Emitters::addEnvironment(const Object& emitter) {
   try {
     guard_.require(path);
     environment::ReadEnvironment read = environment::readEnvironment(
-        {.source = path.string(), .rotation = 0, .scale = scale}, {0, 1, 0}, report_.isLenient());
+        {.source = path.string(), .rotation = 0, .scale = scale, .hasRowsAtPoles = true}, {0, 1, 0},
+        report_.isLenient());
     for (const std::string& warning : read.warnings) report_.warn(warning, emitter.place, warning);
     scene_.environment = std::move(read.environment);
-    const std::uint64_t texels = std::uint64_t{2} * scene_.environment->texels.size();
-    if (texels > environment::kMaxTexels) {
-      report_.omit("that the first and the last row of an environment map are the poles, in maps of this size");
-    } else if (scene_.environment->height > 1) {
-      requireMemory(path.string() + ": the environment", 2 * texels * (sizeof(glm::vec3) + sizeof(std::uint64_t)),
-                    "use a machine with more memory");
-      moveRowsToPoles(*scene_.environment);
-    }
   } catch (const FileError& error) {
     report_.deviate(emitter.place, error.what(), "leaves the environment out");
     return;

@@ -113,6 +113,7 @@ void scaleTexels(scene::Environment& environment, double scale) {
 
 ReadEnvironment readEnvironment(const scene::EnvironmentRequest& request, const glm::vec3& up, bool isLenient) {
   ReadEnvironment result = makeMap(request.source, isLenient);
+  result.environment.hasRowsAtPoles = request.hasRowsAtPoles && result.environment.height > 1;
   scaleTexels(result.environment, request.scale);
   setWeights(result.environment);
   place(result.environment, up, request.rotation);
@@ -130,6 +131,7 @@ std::uint64_t hashOf(const scene::Environment& environment, std::uint64_t hash) 
     return std::span(reinterpret_cast<const std::uint8_t*>(std::data(values)), std::size(values) * sizeof(values[0]));
   };
   hash = fnv1aOfText(fmt::format("environment {}x{}", environment.width, environment.height), hash);
+  if (environment.hasRowsAtPoles) hash = fnv1aOfText("rows at poles", hash);
   return fnv1a(bytesOf(environment.axes), fnv1a(bytesOf(environment.texels), hash));
 }
 

@@ -1,6 +1,7 @@
 // Rounds running sums, so that the sum of the integer weights is exact.
 #include "host/scene/environment/weights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,9 +11,10 @@ namespace candela::environment {
 namespace {
 
 // In proportion to the solid angle of a texel of the row.
-double solidAngle(std::uint32_t row, std::uint32_t height) {
-  const double step = std::numbers::pi / height;
-  return std::cos(row * step) - std::cos((row + 1) * step);
+double solidAngle(std::uint32_t row, const scene::Environment& environment) {
+  const double pole = environment.offsetOfPoles(), rows = environment.height - 2 * pole;
+  const double step = std::numbers::pi / rows;
+  return std::cos(std::max(row - pole, 0.0) * step) - std::cos(std::min(row + 1 - pole, rows) * step);
 }
 
 }  // namespace
@@ -23,7 +25,7 @@ void setWeights(scene::Environment& environment) {
   double sum = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const auto row = static_cast<std::uint32_t>(i / environment.width);
-    sum += image::luminance(glm::dvec3(environment.texels[i])) * solidAngle(row, environment.height);
+    sum += image::luminance(glm::dvec3(environment.texels[i])) * solidAngle(row, environment);
     sums[i] = sum;
   }
   environment.weights.assign(count, 0);

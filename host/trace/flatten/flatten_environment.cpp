@@ -69,14 +69,17 @@ Rows environmentRows(const scene::Environment& environment) {
   Weights sums;
   for (std::size_t y = 0; y < height; ++y) sums.push_back(sumOf(weightsOfRow(y)));
   const Weights rowEnds = intervalEnds(sums);
-  const auto texelCount = static_cast<double>(environment.texels.size());
-  const double density = texelCount / (2 * std::numbers::pi * std::numbers::pi) / double{kNumbers} / double{kNumbers};
+  const double area = static_cast<double>(width) * (static_cast<double>(height) - 2 * environment.offsetOfPoles());
+  const double density = area / (2 * std::numbers::pi * std::numbers::pi) / double{kNumbers} / double{kNumbers};
+  const auto foldOf = [&](std::size_t y) {
+    return environment.hasRowsAtPoles && (y == 0 || y + 1 == height) ? 2.0 : 1.0;
+  };
   Rows rows, ends;
   rows.reserve(environment.texels.size() * 3 / 2);  // the lists take 3/8 of a record per texel, and some per row
   appendEnds(rowEnds, ends);
   for (std::size_t y = 0; y < height; ++y) {
     const Weights columnEnds = intervalEnds(weightsOfRow(y));
-    const double ofRow = density * static_cast<double>(lengthOf(rowEnds, y));
+    const double ofRow = density * foldOf(y) * static_cast<double>(lengthOf(rowEnds, y));
     for (std::size_t x = 0; x < width; ++x) {
       rows.push_back(
           row(glm::dvec3(environment.texels[y * width + x]), ofRow * static_cast<double>(lengthOf(columnEnds, x))));
@@ -95,6 +98,9 @@ void appendEnvironment(const scene::Environment& environment, FlatScene& flat) {
   flat.constants.environmentZ = environment.axes[2];
   flat.constants.environmentWidth = environment.width;
   flat.constants.environmentHeight = environment.height;
+  flat.constants.environmentSize = {environment.width, environment.height};
+  flat.constants.environmentPole = static_cast<float>(environment.offsetOfPoles());
+  flat.constants.environmentRows = flat.constants.environmentSize.y - 2 * flat.constants.environmentPole;
   flat.constants.firstEnvironmentRow = rowCount(flat.rows);
   const Rows rows = environmentRows(environment);
   flat.rows.insert(flat.rows.end(), rows.begin(), rows.end());

@@ -72,10 +72,11 @@ double squaredRadius(const scene::Scene& scene) {
 }
 
 double meanLuminance(const scene::Environment& environment) {
+  const double pole = environment.offsetOfPoles(), rows = environment.height - 2 * pole;
+  const double step = std::numbers::pi / rows;
   double sum = 0, solidAngle = 0;
   for (std::uint32_t row = 0; row < environment.height; ++row) {
-    const double step = std::numbers::pi / environment.height;
-    const double texel = std::cos(row * step) - std::cos((row + 1) * step);
+    const double texel = std::cos(std::max(row - pole, 0.0) * step) - std::cos(std::min(row + 1 - pole, rows) * step);
     double luminance = 0;
     for (std::uint32_t column = 0; column < environment.width; ++column) {
       luminance += image::luminance(dvec3(environment.texels[std::size_t{row} * environment.width + column]));

@@ -53,7 +53,9 @@ EnvironmentMap::EnvironmentMap(const scene::Environment& environment)
 double EnvironmentMap::pdf(std::uint32_t texel, double sine) const {
   const std::uint32_t row = texel / environment_.width;
   const double chosen = rows_.probability(row) * columns_[row].probability(texel % environment_.width);
-  return chosen > 0 ? chosen * environment_.width * environment_.height / (2 * kPi * kPi * sine) : 0;
+  const bool isFolded = environment_.hasRowsAtPoles && (row == 0 || row + 1 == environment_.height);
+  const double across = environment_.width * (isFolded ? 2.0 : 1.0);
+  return chosen > 0 ? chosen * across * rowsBetweenPoles() / (2 * kPi * kPi * sine) : 0;
 }
 
 EnvironmentMap::Tap EnvironmentMap::tap(const dvec3& direction, const dvec2& jitter) const {
@@ -62,7 +64,7 @@ EnvironmentMap::Tap EnvironmentMap::tap(const dvec3& direction, const dvec2& jit
   const double height = environment_.height;
   const double sine = hypotenuse(d.x, d.z);
   double s = width * (0.5 + std::atan2(d.z, d.x) / (2 * kPi)) + jitter.x - 0.5;
-  double t = height * std::atan2(sine, d.y) / kPi + jitter.y - 0.5;
+  double t = environment_.offsetOfPoles() + rowsBetweenPoles() * std::atan2(sine, d.y) / kPi + jitter.y - 0.5;
   if (t < 0 || t > height) {
     s += width / 2;
     t = t < 0 ? -t : 2 * height - t;
@@ -81,8 +83,9 @@ std::optional<LightSample> EnvironmentMap::sample(const glm::uvec2& words, const
   const double s = column + 0.5 + sampleTent(point.x);
   const double t = row + 0.5 + sampleTent(point.y);
   const double azimuth = kPi * (2 * s / environment_.width - 1);
-  const double polar = kPi * t / environment_.height;  // beyond the poles, the azimuth is the opposite one
-  const double sine = std::sin(polar);
+  const double polar = kPi * (t - environment_.offsetOfPoles()) / rowsBetweenPoles();
+  double sine = std::sin(polar);  // negative beyond the poles, where the azimuth is the opposite one
+  if (environment_.hasRowsAtPoles) sine = std::abs(sine);
   if (sine == 0) return std::nullopt;
   const dvec3 d(sine * std::cos(azimuth), std::cos(polar), sine * std::sin(azimuth));
   constexpr double kFar = std::numeric_limits<float>::max();

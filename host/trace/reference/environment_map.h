@@ -46,6 +46,7 @@ class EnvironmentMap {
 
  private:
   double pdf(std::uint32_t texel, double sine) const;
+  double rowsBetweenPoles() const { return environment_.height - 2 * environment_.offsetOfPoles(); }
 
   const scene::Environment& environment_;
   Partition rows_;

@@ -1,6 +1,7 @@
 // Measures a scene and its environment.
 #include "host/trace/reference/light_flux.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -60,14 +61,17 @@ double squaredRadius(const scene::Scene& scene) {
 }
 
 double meanLuminance(const scene::Environment& environment) {
+  // The solid angle between two circles of latitude is in proportion to the difference of their heights.
+  const double pole = environment.offsetOfPoles();
+  const auto heightOf = [&](double t) {
+    return std::cos(std::numbers::pi * std::clamp((t - pole) / (environment.height - 2 * pole), 0.0, 1.0));
+  };
   double sum = 0;
   for (std::size_t i = 0; i < environment.texels.size(); ++i) {
     const double row = static_cast<double>(i / environment.width);
-    sum += std::sin((row + 0.5) * std::numbers::pi / environment.height) *
-           image::luminance(dvec3(environment.texels[i]));
+    sum += (heightOf(row) - heightOf(row + 1)) / 2 * image::luminance(dvec3(environment.texels[i]));
   }
-  // The sum of the sines is 1 / sin(step / 2).
-  return sum * std::sin(std::numbers::pi / environment.height / 2) / environment.width;
+  return sum / environment.width;
 }
 
 }  // namespace candela::reference

@@ -1,6 +1,7 @@
 // The integer weights of texels: exact in their sum, in proportion to luminance times solid angle.
 #include "host/scene/environment/weights.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -14,11 +15,13 @@ using namespace candela::environment;
 
 namespace {
 
-scene::Environment mapOf(std::uint32_t width, std::uint32_t height, std::uint32_t seed, double contrast) {
+scene::Environment mapOf(std::uint32_t width, std::uint32_t height, std::uint32_t seed, double contrast,
+                         bool hasRowsAtPoles = false) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> exponent(-contrast, contrast);
   scene::Environment environment{.name = "", .width = width, .height = height, .texels = {}, .weights = {}};
   for (std::uint32_t i = 0; i < width * height; ++i) environment.texels.emplace_back(std::exp2(exponent(random)), 1, 2);
+  environment.hasRowsAtPoles = hasRowsAtPoles;
   setWeights(environment);
   return environment;
 }
@@ -34,13 +37,16 @@ TEST_CASE("the weights of a map sum to 2^24 times its texels") {
 }
 
 TEST_CASE("weights are in proportion to luminance times the solid angle of the texel") {
-  const scene::Environment map = mapOf(16, 9, 2, 2);
+  const bool hasRowsAtPoles = GENERATE(false, true);
+  const scene::Environment map = mapOf(16, 9, 2, 2, hasRowsAtPoles);
+  const auto latitudeAt = [&](double t) {
+    return std::numbers::pi * (0.5 - (hasRowsAtPoles ? std::clamp((t - 0.5) / 8, 0.0, 1.0) : t / 9));
+  };
   double total = 0;
   std::vector<double> expected;
   for (std::size_t i = 0; i < map.texels.size(); ++i) {
-    const double upper = std::numbers::pi * (0.5 - static_cast<double>(i / 16) / 9);
-    const double lower = std::numbers::pi * (0.5 - static_cast<double>(i / 16 + 1) / 9);
-    const double solidAngle = (std::sin(upper) - std::sin(lower)) * 2 * std::numbers::pi / 16;
+    const auto row = static_cast<double>(i / 16);
+    const double solidAngle = (std::sin(latitudeAt(row)) - std::sin(latitudeAt(row + 1))) * 2 * std::numbers::pi / 16;
     expected.push_back(image::luminance(glm::dvec3(map.texels[i])) * solidAngle);
     total += expected.back();
   }

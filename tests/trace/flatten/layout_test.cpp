@@ -122,7 +122,10 @@ TEST_CASE("shared structures have the same layout in SPIR-V and in C++") {
                                                        MEMBER(RenderConstants, firstInstanceRow),
                                                        MEMBER(RenderConstants, topNode),
                                                        MEMBER(RenderConstants, firstAttributeRow),
-                                                       MEMBER(RenderConstants, firstLightTreeRow)});
+                                                       MEMBER(RenderConstants, firstLightTreeRow),
+                                                       MEMBER(RenderConstants, environmentSize),
+                                                       MEMBER(RenderConstants, environmentPole),
+                                                       MEMBER(RenderConstants, environmentRows)});
   CHECK(module.offsetsOf("RenderUniforms") ==
         Offsets{MEMBER(RenderUniforms, constants), MEMBER(RenderUniforms, slotRows)});
   CHECK(module.offsetsOf("DispatchConstants") ==

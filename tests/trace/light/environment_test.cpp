@@ -15,7 +15,7 @@ using test::SceneBuilder;
 
 namespace {
 
-scene::Environment environmentOfNoise(std::uint32_t width, std::uint32_t height, const vec3& up) {
+scene::Environment environmentOfNoise(std::uint32_t width, std::uint32_t height, const vec3& up, bool hasRowsAtPoles) {
   std::mt19937 random(7);
   scene::Environment map{.name = "noise", .width = width, .height = height, .texels = {}, .weights = {}};
   for (std::uint32_t i = 0; i < width * height; ++i) {
@@ -23,12 +23,13 @@ scene::Environment environmentOfNoise(std::uint32_t width, std::uint32_t height,
     const float bright = random() % 50 == 0 ? 20.0f : 0.5f;
     map.texels.push_back(bright * vec3(channel(), channel(), channel()));
   }
+  map.hasRowsAtPoles = hasRowsAtPoles;
   environment::setWeights(map);
   environment::place(map, up, 77);
   return map;
 }
 
-SceneBuilder objectsInEnvironment() {
+SceneBuilder objectsInEnvironment(bool hasRowsAtPoles = false) {
   SceneBuilder b;
   b.material(diffuseMaterial(vec3(0.7f))).plane({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   b.material(test::mixtureMaterial(0.5f, 0.4f, 30)).sphere({-0.5f, 0.5f, 0.75f}, 0.75f);
@@ -36,7 +37,7 @@ SceneBuilder objectsInEnvironment() {
   b.material(diffuseMaterial({0.8f, 0.7f, 0.5f})).box({0.75f, 0, 0}, {1.75f, 1, 1.25f});
   b.view({0, -7, 4}, {0, 0, 0.75f}, {0, 0, 1}, 40);
   b.scene.name = "environment";
-  b.scene.environment = environmentOfNoise(37, 19, {0, 0, 1});
+  b.scene.environment = environmentOfNoise(37, 19, {0, 0, 1}, hasRowsAtPoles);
   return b;
 }
 
@@ -51,7 +52,7 @@ void addLightsBesideEnvironment(SceneBuilder& b) {
 
 TEST_CASE("an environment has the reference's pixels at equal seeds, alone and among all other kinds of light",
           "[swiftshader-slow]") {
-  SceneBuilder b = objectsInEnvironment();
+  SceneBuilder b = objectsInEnvironment(GENERATE(false, true));
   for (const bool others : {false, true}) {
     if (others) addLightsBesideEnvironment(b);
     for (const bool nextEventEstimation : {true, false}) {
