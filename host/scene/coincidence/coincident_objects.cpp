@@ -35,11 +35,6 @@ std::string counted(std::uint64_t count, const char* word, const std::string& no
   return fmt::format("{} {} {}", count, word, count == 1 ? noun : plural(noun));
 }
 
-// Returns "node Floor", but "node.3" for a node without a name.
-std::string named(const std::string& kind, const std::string& name) {
-  return name.starts_with(kind + '.') ? name : fmt::format("{} {}", kind, name);
-}
-
 class Counting {
  public:
   explicit Counting(const Scene& scene) : scene_(scene) {}
@@ -63,7 +58,6 @@ class Counting {
       objects.first = objectName(scene_, pair.first);
       objects.second = objectName(scene_, pair.second);
       objects.isOne = pair.first == pair.second;
-      objects.areNodes = !scene_.objectNames.empty();
       result.push_back(std::move(objects));
     }
     std::ranges::stable_sort(result, std::greater(),
@@ -141,15 +135,13 @@ CoincidenceReport coincidentObjects(const Scene& scene) {
 }
 
 std::string toText(const CoincidentObjects& o) {
-  const std::string kind = o.areNodes ? "node" : "object";
   const auto [copies, overlaps] = std::pair(o.copies.second, o.overlaps.second);
   const auto others = [&](std::uint64_t count) {
-    if (o.isOne) return fmt::format("{} of the same {}", counted(count, "other", o.firstNoun), kind);
+    if (o.isOne) return fmt::format("{} of the same object", counted(count, "other", o.firstNoun));
     const char* const another = o.first == o.second ? "another " : "";
-    return fmt::format("{} of {}{}", counted(count, o.firstNoun), another, named(kind, o.first));
+    return fmt::format("{} of {}object {}", counted(count, o.firstNoun), another, o.first);
   };
-  std::string text = fmt::format("{} of {} ", counted(copies > 0 ? copies : overlaps, o.secondNoun),
-                                 named(kind, o.second));
+  std::string text = fmt::format("{} of object {} ", counted(copies > 0 ? copies : overlaps, o.secondNoun), o.second);
   if (copies > 0) text += fmt::format("{} with {}", copies == 1 ? "coincides" : "coincide", others(o.copies.first));
   if (overlaps == 0) return text;
   const char* const verb = overlaps == 1 ? "overlaps" : "overlap";

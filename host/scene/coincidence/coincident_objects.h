@@ -23,7 +23,6 @@ struct CoincidentObjects {
   Count copies;        ///< primitives of `second` that have the shape of primitives of `first`, which are not copies
   Count overlaps;      ///< primitives of `second` that overlap primitives of `first` in one plane
   std::string firstNoun, secondNoun;  ///< of one such primitive: its kind, or "primitive" if there are several kinds
-  bool areNodes = false;
 };
 
 struct CoincidenceReport {

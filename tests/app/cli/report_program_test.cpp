@@ -83,8 +83,9 @@ TEST_CASE("check names the nodes of glTF whose surfaces coincide, and JSON has t
   const ProgramResult text = runCandela({"check", file});
   CHECK(text.exitCode == 0);
   CHECK(contains(text.out, "  coincident  8 primitives in 2 pairs of objects\n"));
-  CHECK(contains(text.out, "  coincident  2 triangles of node Floor.001 coincide with 2 triangles of node Floor\n"));
-  CHECK(contains(text.out, "  coincident  2 triangles of node Square coincide with 2 triangles of node Lid\n"));
+  CHECK(
+      contains(text.out, "  coincident  2 triangles of object Floor.001 coincide with 2 triangles of object Floor\n"));
+  CHECK(contains(text.out, "  coincident  2 triangles of object Square coincide with 2 triangles of object Lid\n"));
   const ProgramResult result = runCandela({"check", file, "--json", "-"});
   const json report = json::parse(result.out)["files"][0]["report"];
   CHECK(report["coincidentPrimitives"] == 8);

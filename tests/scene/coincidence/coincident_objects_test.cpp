@@ -36,8 +36,8 @@ TEST_CASE("nodes whose surfaces coincide are named with the numbers of their tri
   b.square("Floor", 0, 4).square("Floor.001", 0, 4).square("Rug", 2, 3).square("Lid", 0, 4, 1);
   CHECK(linesOf(b.scene) == std::vector<std::string>{
                                 "6 primitives in 2 pairs of objects",
-                                "2 triangles of node Floor.001 coincide with 2 triangles of node Floor",
-                                "2 triangles of node Rug overlap 2 triangles of node Floor in one plane",
+                                "2 triangles of object Floor.001 coincide with 2 triangles of object Floor",
+                                "2 triangles of object Rug overlap 2 triangles of object Floor in one plane",
                             });
   CHECK(coincidentObjects(b.scene).primitiveCount == 6u);
 }
@@ -45,19 +45,20 @@ TEST_CASE("nodes whose surfaces coincide are named with the numbers of their tri
 TEST_CASE("the word node does not stand before a name that begins with it") {
   Squares b;
   b.square("node.7", 0, 4).square("node.8", 0, 4);
-  CHECK(linesOf(b.scene) == std::vector<std::string>{"2 triangles of node.8 coincide with 2 triangles of node.7"});
+  CHECK(linesOf(b.scene) ==
+        std::vector<std::string>{"2 triangles of object node.8 coincide with 2 triangles of object node.7"});
 }
 
 TEST_CASE("an object whose surfaces coincide with each other, and another one of its name, are told apart") {
   Squares b;
   b.square("Floor", 0, 4).quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0});
   CHECK(linesOf(b.scene) ==
-        std::vector<std::string>{"2 triangles of node Floor coincide with 2 other triangles of the same node"});
+        std::vector<std::string>{"2 triangles of object Floor coincide with 2 other triangles of the same object"});
   CHECK(coincidentObjects(b.scene).pairs.front().isOne);
   Squares two;
   two.square("Floor", 0, 4).square("Floor", 0, 4);
   CHECK(linesOf(two.scene) ==
-        std::vector<std::string>{"2 triangles of node Floor coincide with 2 triangles of another node Floor"});
+        std::vector<std::string>{"2 triangles of object Floor coincide with 2 triangles of another object Floor"});
   CHECK_FALSE(coincidentObjects(two.scene).pairs.front().isOne);
 }
 
@@ -65,8 +66,9 @@ TEST_CASE("a pair of objects with copies and overlaps has one line") {
   Squares b;
   b.square("A", 0, 4).square("B", 0, 4).triangle({1, 0.5f, 0}, {2, 0.5f, 0}, {2, 0.75f, 0});
   CHECK(linesOf(b.scene) ==
-        std::vector<std::string>{"2 triangles of node B coincide with 2 triangles of node A, and 1 triangle overlaps 1 "
-                                 "triangle in one plane"});
+        std::vector<std::string>{
+            "2 triangles of object B coincide with 2 triangles of object A, and 1 triangle overlaps 1 "
+            "triangle in one plane"});
 }
 
 TEST_CASE("objects without names have those of their kinds, and several kinds are primitives") {
@@ -99,8 +101,8 @@ TEST_CASE("the first eight pairs of objects are listed, those with most primitiv
   const std::vector<std::string> lines = linesOf(b.scene);
   REQUIRE(lines.size() == 10);
   CHECK(lines[0] == "42 primitives in 10 pairs of objects");
-  CHECK(lines[1] == "4 triangles of node B9 coincide with 2 triangles of node A9");
-  CHECK(lines[2] == "2 triangles of node B0 coincide with 2 triangles of node A0");
+  CHECK(lines[1] == "4 triangles of object B9 coincide with 2 triangles of object A9");
+  CHECK(lines[2] == "2 triangles of object B0 coincide with 2 triangles of object A0");
   CHECK(lines[9] == "and 2 more pairs, which the report in JSON lists");
 }
 
@@ -134,8 +136,8 @@ TEST_CASE("instances are named with the numbers of their triangles, also where a
   show("Tile", 0), show("Tile.001", 0), show("Tile.002", 0.5), show("Tile.003", 9);
   CHECK(linesOf(b.scene) == std::vector<std::string>{
                                 "6 primitives in 2 pairs of objects",
-                                "2 triangles of node Tile.001 coincide with 2 triangles of node Tile",
-                                "2 triangles of node Tile.002 overlap 2 triangles of node Tile in one plane",
+                                "2 triangles of object Tile.001 coincide with 2 triangles of object Tile",
+                                "2 triangles of object Tile.002 overlap 2 triangles of object Tile in one plane",
                             });
 }
 
