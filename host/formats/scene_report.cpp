@@ -106,6 +106,7 @@ SceneReport makeReport(const LoadedScene& loaded) {
   report.requestedSamples = scene.requestedSamples;
   report.requestedMaxDepth = scene.requestedMaxDepth;
   report.requestedFilter = scene.requestedFilter;
+  report.requestedCrop = scene.requestedCrop;
   report.hash = scene.hash;
   for (const Diagnostic& warning : loaded.warnings) report.warnings.push_back(toString(warning));
   return report;

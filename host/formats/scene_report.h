@@ -47,6 +47,7 @@ struct SceneReport {
   std::optional<std::uint32_t> requestedSamples;
   std::optional<std::uint32_t> requestedMaxDepth;
   std::optional<PixelFilter> requestedFilter;
+  std::optional<Window> requestedCrop;
   std::uint64_t hash = 0;
   SceneMemory memory;
   std::vector<std::string> warnings;

@@ -113,6 +113,7 @@ std::string toText(const SceneReport& r) {
   if (r.requestedSamples) line("spp", fmt::format("{} requested", *r.requestedSamples));
   if (r.requestedMaxDepth) line("max depth", fmt::format("{} requested", *r.requestedMaxDepth));
   if (r.requestedFilter) line("filter", fmt::format("{} requested", toText(*r.requestedFilter)));
+  if (r.requestedCrop) line("crop", fmt::format("{} requested", windowText(*r.requestedCrop)));
   line("memory", memoryText(r.memory));
   line("hash", hashText(r.hash));
   for (const std::string& warning : r.warnings) line("warning", warning);
@@ -172,6 +173,7 @@ json toJson(const SceneReport& r) {
       {"requestedSamplesPerPixel", orNull(r.requestedSamples, same)},
       {"requestedMaxDepth", orNull(r.requestedMaxDepth, same)},
       {"requestedFilter", orNull(r.requestedFilter, [](const PixelFilter& filter) { return json(toText(filter)); })},
+      {"requestedCrop", orNull(r.requestedCrop, [](const Window& crop) { return json(windowText(crop)); })},
       {"memory", toJson(r.memory)},
       {"warnings", r.warnings},
   };

@@ -39,7 +39,7 @@ void requireAdaptable(const render::ImageSettings& image, const FilmPolicy& film
         "of them; divide the image with {} instead",
         settingWords("crop")));
   }
-  if (image.crop) requireAligned(*image.crop, image.size);
+  if (image.crop) render::requireAligned(*image.crop, image.size);
 }
 
 }  // namespace

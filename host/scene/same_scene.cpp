@@ -10,10 +10,11 @@ namespace {
 auto contentOf(const Scene& scene) {
   const auto& [name, camera, background, sky, environment, up, materials, images, primitives, spheres, meshes,
                placements, boxes, cones, planes, objectStarts, objectNames, materialNames, pointLights, punctualLights,
-               requestedAccel, requestedSamples, requestedMaxDepth, requestedFilter, exactMean, hash] = scene;
+               requestedAccel, requestedSamples, requestedMaxDepth, requestedFilter, requestedCrop, exactMean,
+               hash] = scene;
   return std::tie(background, sky, environment, up, materials, images, primitives, spheres, meshes, placements, boxes,
                   cones, planes, objectStarts, objectNames, materialNames, pointLights, punctualLights, requestedAccel,
-                  requestedSamples, requestedMaxDepth, requestedFilter, exactMean);
+                  requestedSamples, requestedMaxDepth, requestedFilter, requestedCrop, exactMean);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host/scene/environment.h"
+#include "host/scene/extent.h"
 #include "host/scene/material.h"
 #include "host/scene/mesh.h"
 #include "host/scene/pixel_filter.h"
@@ -155,8 +156,9 @@ struct Scene {
   std::optional<std::uint32_t> requestedSamples;   ///< `spp`, samples per pixel in total; 0: no antialiasing
   std::optional<std::uint32_t> requestedMaxDepth;  ///< maximum number of rays in a path, counting the camera ray, >= 1
   std::optional<PixelFilter> requestedFilter;
-  std::optional<ExactMean> exactMean;  ///< for paths of any length, with and without next-event estimation
-  std::uint64_t hash = 0;              ///< of everything that was read, sky images included
+  std::optional<Window> requestedCrop;  ///< the pixels of a picture, within the resolution of the camera
+  std::optional<ExactMean> exactMean;   ///< for paths of any length, with and without next-event estimation
+  std::uint64_t hash = 0;               ///< of everything that was read, sky images included
 };
 
 /// Returns the mesh of a primitive that is a triangle.

@@ -108,13 +108,18 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(json["requestedAccel"] == "grid");
   CHECK(json["requestedMaxDepth"].is_null());
   CHECK(json["requestedFilter"].is_null());
+  CHECK(json["requestedCrop"].is_null());
   LoadedScene requesting = load(kScene);
   requesting.scene.requestedMaxDepth = 7;
   requesting.scene.requestedFilter = PixelFilter{FilterKind::tent};
+  requesting.scene.requestedCrop = Window{1, 2, 30, 4};
   const SceneReport requests = makeReport(requesting);
   CHECK(toJson(requests)["requestedMaxDepth"] == 7);
   CHECK(toJson(requests)["requestedFilter"] == "tent");
-  CHECK(toText(requests).find("  max depth   7 requested\n  filter      tent requested\n") != std::string::npos);
+  CHECK(toJson(requests)["requestedCrop"] == "1,2,30,4");
+  CHECK(toText(requests).find(
+            "  max depth   7 requested\n  filter      tent requested\n  crop        1,2,30,4 requested\n") !=
+        std::string::npos);
   const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
   CHECK(bare["requestedAccel"].is_null());
   CHECK(bare["camera"].is_null());

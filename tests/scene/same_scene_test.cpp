@@ -61,6 +61,9 @@ TEST_CASE("a change of anything else is a difference") {
       [](Scene& scene) { scene.requestedAccel = RequestedAccel::grid; },
       [](Scene& scene) { scene.requestedSamples = 4; },
       [](Scene& scene) { scene.requestedMaxDepth = 4; },
+      [](Scene& scene) {
+        scene.requestedCrop = Window{1, 2, 3, 4};
+      },
       [](Scene& scene) { scene.requestedFilter = PixelFilter{FilterKind::tent}; },
       [](Scene& scene) { scene.exactMean.emplace(); }};
   for (std::size_t i = 0; i < changes.size(); ++i) {

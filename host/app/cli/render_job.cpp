@@ -56,6 +56,9 @@ render::RenderSettings resolveRequest(const render::RenderRequest& request, cons
   }
   render::RenderSettings settings = render::resolve(request, scene);
   job::requirePossible(scene, settings, film, makesPictures);
+  if (settings.image.crop && !request.crop) {
+    log.detail(fmt::format("the crop {}, as requested by the scene", windowText(*settings.image.crop)));
+  }
   return settings;
 }
 
@@ -77,7 +80,10 @@ RenderJob jobOf(const TracingCommand& command, std::shared_ptr<const scene::Scen
   const auto* const render = std::get_if<RenderArguments>(&command);
   const job::FilmPolicy film = render != nullptr ? filmPolicyOf(*render) : job::FilmPolicy();
   const bool makesPictures = render != nullptr && !render->outputs.empty();
-  const render::RenderSettings settings = resolveRequest(arguments.request, *scene, film, makesPictures, log);
+  // Other commands than `render` judge, measure and show whole images.
+  const render::RenderRequest request = render != nullptr ? arguments.request
+                                                          : withoutSceneCrop(arguments.request, *scene);
+  const render::RenderSettings settings = resolveRequest(request, *scene, film, makesPictures, log);
   // Benchmarks choose the structures themselves.
   if (!std::holds_alternative<BenchArguments>(command)) noteIdleOptions(useOf(command, settings), log);
   if (render != nullptr) noteLostAlpha(*render, log);

@@ -69,7 +69,7 @@ std::vector<Option> filmOptions() {
     valued<RenderArguments>({"--samples", kGroup, "render samples A to B - 1 of the --spp of each pixel"},
            orAbsent(range<render::SampleRange>(render::kMaxSampleCount), "all"), [](auto& a) -> auto& { return a.film.samples; }),
     valued<RenderArguments>({"--crop", kGroup, "render a window: its left column, top row, width and height in pixels of the full image"},
-           orAbsent(window(image::kMaxImageSide), "the image"), [](auto& a) -> auto& { return a.request.image.crop; }),
+           orAbsent(window(image::kMaxImageSide), "the scene's, else the image"), [](auto& a) -> auto& { return a.request.crop; }),
     path<MergeArguments>({"-o,--output", kGroup, "for `merge`: the film file that is written"}, "FILE", [](auto& a) -> auto& { return a.output; }),
     flag<MergeArguments>({"--mixed-devices", kGroup, "merge films of different devices; the film is marked as mixed"},
          [](auto& a) -> auto& { return a.mixedDevices; }),

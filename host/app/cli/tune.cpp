@@ -46,7 +46,7 @@ Work workOf(const TuneArguments& arguments, scene::Scene scene, const Log& log) 
   render::RenderRequest request;
   request.sampleCount = arguments.sampleCount;
   request.size = arguments.size;
-  render::RenderSettings settings = resolveRequest(request, scene, {}, false, log);
+  render::RenderSettings settings = resolveRequest(withoutSceneCrop(request, scene), scene, {}, false, log);
   noteIdleOptions({arguments, settings}, log);
   return {std::move(scene), std::move(settings)};
 }

@@ -121,6 +121,22 @@ std::uint32_t sideOf(const Object& film, const char* name, std::int64_t absent) 
   return static_cast<std::uint32_t>(side);
 }
 
+// The defaults are those of Mitsuba: the offset is 0, and the size is that of the film.
+void setCrop(const Object& film, const scene::Camera& camera, scene::Scene& scene) {
+  const std::int64_t x = film.integer("crop_offset_x", 0), y = film.integer("crop_offset_y", 0);
+  const std::int64_t width = film.integer("crop_width", camera.width);
+  const std::int64_t height = film.integer("crop_height", camera.height);
+  if (x < 0 || y < 0 || width < 1 || height < 1 || width > camera.width - x || height > camera.height - y) {
+    throw PlacedError{film.place, fmt::format("the window {},{},{},{} (crop_offset_x, ...) is not within the film of "
+                                              "{} by {} pixels",
+                                              x, y, width, height, camera.width, camera.height)};
+  }
+  const scene::Extent size{camera.width, camera.height};
+  const scene::Window window{static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                             static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height)};
+  if (window != windowOf(size)) scene.requestedCrop = window;
+}
+
 void setFilm(const Object* film, Report& report, scene::Camera& camera, scene::Scene& scene) {
   camera.width = 768;
   camera.height = 576;
@@ -134,12 +150,7 @@ void setFilm(const Object* film, Report& report, scene::Camera& camera, scene::S
   if (film->type == "specfilm") report.deviate(film->place, "a film of spectra is not rendered", "renders colours");
   camera.width = sideOf(*film, "width", camera.width);
   camera.height = sideOf(*film, "height", camera.height);
-  const bool isCropped = film->integer("crop_offset_x", 0) != 0 || film->integer("crop_offset_y", 0) != 0 ||
-                         film->integer("crop_width", camera.width) != camera.width ||
-                         film->integer("crop_height", camera.height) != camera.height;
-  if (isCropped)
-    report.deviate(film->place, "the window of a film (crop_width, ...) is not read: --crop X,Y,W,H renders one",
-                   "renders the whole film");
+  setCrop(*film, camera, scene);
   setFilter(*film, report, scene);
   film->ignore({"file_format", "pixel_format", "component_format", "compensate", "sample_border", "high_quality_edges",
                 "banner", "attach_log", "gamma", "exposure", "key", "burn", "tonemap_method", "variable", "digits"},

@@ -20,6 +20,8 @@ AccelKind accelOf(const scene::Scene& scene) {
   return AccelKind::bvh;
 }
 
+Extent sizeOf(const scene::Camera& camera) { return {camera.width, camera.height}; }
+
 std::uint32_t maxDepthOf(const scene::Scene& scene, Integrator integrator) {
   const std::uint32_t absent = defaultMaxDepth(integrator);
   return integrator == Integrator::path ? scene.requestedMaxDepth.value_or(absent) : absent;
@@ -36,7 +38,8 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
       scene.requestedSamples.value_or(ImageSettings{}.sampleCount));
   settings.image.antialiasing = samples > 0;
   settings.image.sampleCount = samples > 0 ? samples : 1;
-  settings.image.size = request.size.value_or(Extent{scene.camera->width, scene.camera->height});
+  settings.image.size = request.size.value_or(sizeOf(*scene.camera));
+  settings.image.crop = request.crop || request.size ? request.crop : scene.requestedCrop;
   settings.image.maxDepth = request.maxDepth.value_or(maxDepthOf(scene, settings.image.integrator));
   settings.image.filter = request.filter.value_or(scene.requestedFilter.value_or(PixelFilter()));
   const bool isView = render::isView(settings.image.integrator);
@@ -48,10 +51,16 @@ RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene) 
   return settings;
 }
 
+RenderRequest withoutSceneCrop(RenderRequest request, const scene::Scene& scene) {
+  if (!request.size) request.size = sizeOf(*scene.camera);
+  return request;
+}
+
 RenderRequest requestOf(const RenderSettings& settings) {
   const ImageSettings& image = settings.image;
   return {.sampleCount = image.antialiasing ? image.sampleCount : 0,
           .size = image.size,
+          .crop = image.crop,
           .accel = settings.structure.accel,
           .maxDepth = image.maxDepth,
           .filter = image.filter,

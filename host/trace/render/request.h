@@ -13,6 +13,7 @@ struct RenderRequest {
   /// Samples per pixel; 0: one sample through the pixel's origin, without antialiasing. Default: 16.
   std::optional<std::uint32_t> sampleCount;
   std::optional<Extent> size;      ///< default: the resolution of the scene's camera
+  std::optional<Window> crop;      ///< default: that of the scene if `size` is absent, too, else the image
   std::optional<AccelKind> accel;  ///< default: BVH
   /// Default: that of the scene for the path tracer, else defaultMaxDepth().
   std::optional<std::uint32_t> maxDepth;
@@ -27,6 +28,9 @@ struct RenderRequest {
 /// Returns the settings of a render of `scene`, which must have a camera. An acceleration structure that only the scene
 /// requests is a preference: see StructureSettings::accelIsPreference.
 RenderSettings resolve(const RenderRequest& request, const scene::Scene& scene);
+
+/// Returns the request without the crop of the scene: that of the whole image unless it states a crop itself.
+RenderRequest withoutSceneCrop(RenderRequest request, const scene::Scene& scene);
 
 /// Returns the request that has these settings with any scene.
 RenderRequest requestOf(const RenderSettings& settings);

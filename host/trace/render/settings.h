@@ -73,7 +73,6 @@ constexpr std::uint32_t defaultMaxDepth(Integrator integrator) { return integrat
 
 /// The choices that determine an image, without those that a scene may request.
 struct ImageChoices {
-  std::optional<Window> crop;  ///< pixels that are rendered, within the image; absent: all. It changes none of them
   std::uint32_t seed = 0;
   std::uint32_t rouletteStart = 4;  ///< number of path vertices before Russian roulette starts
   Integrator integrator = Integrator::path;
@@ -102,6 +101,7 @@ struct ImageChoices {
 /// each: docs/testing.md, "Equal bits on other devices".
 struct ImageSettings : ImageChoices {
   Extent size{};                   ///< pixels, each in [1, 65535]
+  std::optional<Window> crop{};    ///< pixels that are rendered, within the image; absent: all. It changes none of them
   std::uint32_t sampleCount = 16;  ///< per pixel, >= 1; the total over all parts of the render
   PixelFilter filter{};
   bool antialiasing = true;  ///< false: each camera ray passes through its pixel's origin

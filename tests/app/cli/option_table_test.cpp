@@ -83,7 +83,7 @@ TEST_CASE("every option has the documented name, value and default") {
       {"--denoise", "", "", Command::denoise},
       {"--time-limit", "TIME", "none", Command::render},
       {"--samples", "A:B", "all"},
-      {"--crop", "X,Y,W,H", "the image"},
+      {"--crop", "X,Y,W,H", "the scene's, else the image"},
       {"-o,--output", "FILE", "", Command::merge},
       {"--mixed-devices", "", ""},
       {"--partial", "", ""},

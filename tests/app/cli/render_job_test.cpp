@@ -127,6 +127,26 @@ TEST_CASE("a file can request the maximum depth of paths and the filter") {
   CHECK(jobOf(whitted, shared(sceneWithCamera()), log).settings.image.maxDepth == 4);
 }
 
+TEST_CASE("a file can request a crop, which --crop and --size replace, and which only renders have") {
+  std::ostringstream sink;
+  const Log log(sink, Verbosity::verbose);
+  scene::Scene scene = sceneWithCamera();
+  scene.requestedCrop = scene::Window{3, 2, 20, 10};
+  const render::RenderSettings byFile = jobOf(RenderArguments(), shared(scene), log).settings;
+  CHECK(byFile.image.window() == scene.requestedCrop);
+  CHECK(sink.str() == "candela: the crop 3,2,20,10, as requested by the scene\n");
+  CHECK(render::resolve(render::requestOf(byFile), sceneWithCamera()).image.window() == scene.requestedCrop);
+  RenderArguments cropped;
+  cropped.request.crop = render::Window{0, 0, 40, 30};
+  CHECK(jobOf(cropped, shared(scene), log).settings.image.window() == render::windowOf({40, 30}));
+  RenderArguments sized;
+  sized.request.size = render::Extent{8, 6};
+  CHECK(jobOf(sized, shared(scene), log).settings.image.window() == render::windowOf({8, 6}));
+  CHECK(jobOf(VerifyArguments(), shared(scene), log).settings.image.window() == render::windowOf({40, 30}));
+  const render::RenderSettings whole = jobOf(sized, shared(scene), log).settings;
+  CHECK(render::resolve(render::requestOf(whole), scene).image.window() == render::windowOf({8, 6}));
+}
+
 TEST_CASE("images of a camera that is not the scene's name it") {
   scene::Camera camera;
   Metadata metadata;

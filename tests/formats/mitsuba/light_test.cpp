@@ -174,8 +174,6 @@ TEST_CASE("Views that Candela does not have are errors, or replaced with a warni
         "2:1: the transform of the sensor mirrors the picture");
   check(sensor("perspective", R"(<float name="principal_point_offset_x" value="0.1"/>)"),
         "the offset of the principal point is not rendered");
-  check(R"(<sensor type="perspective"><film type="hdrfilm"><integer name="crop_width" value="7"/></film></sensor>)",
-        "2:28: the window of a film");
   check(R"(<sensor type="distant"/>)", "sensor \"distant\" is not rendered");
   CHECK(xmlErrorsOf(sensor("perspective", R"(<float name="fov" value="180"/>)")).find("between 0 and 180") !=
         std::string::npos);
@@ -212,6 +210,37 @@ TEST_CASE("Film, sampler and integrator request the filter, the samples and the 
   CHECK(filterOf("").requestedFilter == PixelFilter{FilterKind::gaussian, 0.5f});
   CHECK(filterOf("").requestedSamples == 9u);
   CHECK(filterOf("").camera->width == 768);
+}
+
+TEST_CASE("A film requests its window, which must be within it") {
+  const auto film = [](const std::string& properties) {
+    return R"(<sensor type="perspective"><film type="hdrfilm"><integer name="width" value="40"/><integer name="height" value="30"/>)" +
+           properties + "</film></sensor>";
+  };
+  const auto window = [&](const std::string& x, const std::string& y, const std::string& width,
+                          const std::string& height) {
+    const auto property = [](const std::string& name, const std::string& value) {
+      return "<integer name=\"crop_" + name + "\" value=\"" + value + "\"/>";
+    };
+    return film(property("offset_x", x) + property("offset_y", y) + property("width", width) +
+                property("height", height));
+  };
+  const scene::Scene scene = xmlSceneOf(window("3", "5", "20", "10"));
+  CHECK(scene.requestedCrop == scene::Window{3, 5, 20, 10});
+  CHECK(scene.camera->width == 40);
+  CHECK(xmlSceneOf(film(R"(<integer name="crop_width" value="7"/>)")).requestedCrop == scene::Window{0, 0, 7, 30});
+  CHECK(xmlSceneOf(window("39", "29", "1", "1")).requestedCrop == scene::Window{39, 29, 1, 1});
+  CHECK_FALSE(xmlSceneOf(window("0", "0", "40", "30")).requestedCrop);
+  CHECK_FALSE(xmlSceneOf(film("")).requestedCrop);
+  CHECK(xmlErrorsOf(window("21", "0", "20", "30"))
+            .find("2:28: the window 21,0,20,30 (crop_offset_x, ...) is not within "
+                  "the film of 40 by 30 pixels") != std::string::npos);
+  for (const std::string& wrong :
+       {window("0", "21", "40", "10"), window("0", "0", "0", "10"), window("0", "0", "10", "0"),
+        window("-1", "0", "10", "10"), window("0", "-1", "10", "10"), window("9223372036854775807", "0", "10", "10"),
+        window("0", "0", "41", "10"), window("0", "0", "10", "31"),
+        film(R"(<integer name="crop_offset_x" value="1"/>)")})
+    CHECK(xmlErrorsOf(wrong).find("is not within the film") != std::string::npos);
 }
 
 TEST_CASE("The command line chooses among the sensors of a scene") {

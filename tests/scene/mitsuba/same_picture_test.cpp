@@ -14,15 +14,18 @@ struct Request {
   std::uint32_t samples = 4;
   std::uint32_t depth = 4;
   PixelFilter filter{FilterKind::box};
+  std::optional<render::Window> crop{};
+  std::optional<render::Extent> size{};  ///< of the whole picture; absent: that of the film
 };
 
-image::Film filmOf(const std::string& file, const Request& request, const render::Extent& size) {
+image::Film filmOf(const std::string& file, const Request& request, const render::Extent& filmSize) {
   const scene::Scene scene = sceneNamed(file);
   render::RenderRequest complete;
   complete.sampleCount = request.samples;
   complete.maxDepth = request.depth;
   complete.filter = request.filter;
-  complete.size = size;
+  complete.size = request.size.value_or(filmSize);
+  complete.crop = request.crop;
   return render(scene, render::resolve(complete, scene));
 }
 
@@ -72,6 +75,8 @@ TEST_CASE("Films, filters, samplers and integrators of Mitsuba request their set
   checkSame("film.xml", "sensors.nff", {4, 3, {FilterKind::tent}}, {{}, {"integrator=volpath"}});
   checkSame("film.xml", "sensors.nff", {4, 3, {FilterKind::tent}}, {{}, {"integrator=ptracer"}});
   CHECK(pictureOf("film.xml", {{}, {"width=20"}}).width() == 20);
+  checkSame("film.xml", "sensors.nff", {4, 3, {FilterKind::tent}, render::Window{9, 5, 14, 11}, render::Extent{32, 24}},
+            {"window"});
 }
 
 }  // namespace candela::mitsuba
