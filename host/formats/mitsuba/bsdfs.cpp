@@ -19,7 +19,9 @@ namespace {
 using scene::quote;
 using scene::TextureSlot;
 
-constexpr int kMaxNesting = 16;        // of nested BSDFs
+constexpr int kMaxNesting = 16;     // of nested BSDFs
+constexpr double kMinAlpha = 1e-4;  // of microfacets
+constexpr double kMinPrincipledAlpha = 1e-3;
 constexpr double kMinRoughIor = 1.01;  // of a rough dielectric, or its inverse: section 5.15 of light-transport.md
 
 /// BSDFs of Mitsuba that are not rendered, and have no nested one.
@@ -46,6 +48,25 @@ double relativeIor(const Object& bsdf, const char* absent) {
 
 /// Candela's perceptual roughness, of which Mitsuba's alpha is the square.
 float roughnessOf(double alpha) { return static_cast<float>(std::sqrt(std::clamp(alpha, 0.0, 1.0))); }
+
+/// Microfacets of alpha u along the tangent and of v across it, as parameters of a surface: along the direction in
+/// which it is rougher, alpha is mix(b, 1, s^2) with the alpha b across it.
+struct Microfacets {
+  float roughness = 0;
+  float anisotropy = 0;  ///< s
+  bool areRougherAlongV = false;
+};
+
+Microfacets microfacetsOf(double u, double v) {
+  const double rough = std::clamp(std::max(u, v), kMinAlpha, 1.0), smooth = std::clamp(std::min(u, v), kMinAlpha, 1.0);
+  const double strength = smooth < 1 ? std::sqrt(std::max((rough - smooth) / (1 - smooth), 0.0)) : 0;
+  return {roughnessOf(smooth), static_cast<float>(strength), v > u};
+}
+
+/// The coordinates of texture reference run along those of the mesh, so that both have the same tangents.
+bool isUpright(const scene::TextureReference& use) {
+  return use.rowS.x != 0 && use.rowS.y == 0 && use.rowT.x == 0 && use.rowT.y != 0;
+}
 
 /// Only surfaces with parameters have normal maps. That of a lobe scatters as the lobe does.
 void makeSurface(scene::Material& material) {
@@ -159,7 +180,6 @@ scene::Interface Bsdfs::distribution(const Object& bsdf) {
   return scene::Interface::ggx;
 }
 
-// Along the direction in which the surface is rougher, alpha is mix(b, 1, s^2) with the alpha b across it.
 void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
   scene::SurfaceParameters& surface = *material.surface;
   surface.roughness = 1;
@@ -169,21 +189,61 @@ void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
     if (!alpha.reference) surface.roughness = roughnessOf(alpha.factor.x);
     return;
   }
-  const Texture u = textures_.read(bsdf, "alpha_u", 0.1, ColourUse::unbounded, Encoding::roughness);
-  const Texture v = textures_.read(bsdf, "alpha_v", 0.1, ColourUse::unbounded, Encoding::roughness);
-  if (u.reference || v.reference) {
-    if (u.reference != v.reference || u.factor != v.factor) {
-      report_.deviate(bsdf.place, "different textures of \"alpha_u\" and \"alpha_v\" are not rendered",
-                      "takes one of them for both");
-    }
-    set(material, TextureSlot::metallicRoughness, (u.reference ? u : v).reference);
+  std::array<Numbers, 2> alphas{textures_.readNumbers(bsdf, "alpha_u", 0.1),
+                                textures_.readNumbers(bsdf, "alpha_v", 0.1)};
+  putOnOneGrid(bsdf, alphas);
+  setMicrofacets(bsdf, alphas[0], alphas[1], {.values = {1}}, material);
+}
+
+void Bsdfs::putOnOneGrid(const Object& bsdf, std::span<Numbers> numbers) {
+  if (mitsuba::putOnOneGrid(numbers)) return;
+  report_.deviate(bsdf.place,
+                  fmt::format("textures of the roughness or the metalness of {} that have different transforms, wrap "
+                              "modes or filters are not rendered",
+                              bsdf.description()),
+                  "takes the largest number of all but the first");
+}
+
+// Numbers of textures are in two images, because the roughness and the anisotropy of a surface have each their own.
+void Bsdfs::setMicrofacets(const Object& bsdf, const Numbers& u, const Numbers& v, const Numbers& metalness,
+                           scene::Material& material) {
+  scene::SurfaceParameters& surface = *material.surface;
+  if (!u.use) {
+    const Microfacets facets = microfacetsOf(u.values[0], v.values[0]);
+    surface.roughness = facets.roughness;
+    surface.anisotropy = facets.anisotropy;
+    if (facets.areRougherAlongV) surface.anisotropyRotation = static_cast<float>(std::numbers::pi / 2);
     return;
   }
-  const double rough = std::clamp(std::max(u.factor.x, v.factor.x), 0.0, 1.0);
-  const double smooth = std::clamp(std::min(u.factor.x, v.factor.x), 1e-4, rough);
-  surface.roughness = roughnessOf(smooth);
-  surface.anisotropy = static_cast<float>(smooth < 1 ? std::sqrt(std::max((rough - smooth) / (1 - smooth), 0.0)) : 0);
-  if (v.factor.x > u.factor.x) surface.anisotropyRotation = static_cast<float>(std::numbers::pi / 2);
+  scene::TextureImage roughness{"roughness", u.width, u.height, {}}, anisotropy{"anisotropy", u.width, u.height, {}};
+  bool isAnisotropic = false;
+  for (std::size_t i = 0; i < u.values.size(); ++i) {
+    const Microfacets facets = microfacetsOf(u.values[i], v.values[i]);
+    const double metal = metalness.use ? metalness.values[i] : 1;
+    roughness.deepTexels.push_back(deepTexelOf({1, facets.roughness, metal}));
+    const glm::dvec2 direction = facets.areRougherAlongV ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
+    anisotropy.deepTexels.push_back(deepTexelOf({(direction + 1.0) / 2.0, facets.anisotropy}));
+    isAnisotropic = isAnisotropic || facets.anisotropy > 0;
+  }
+  if (isAnisotropic && !isUpright(*u.use)) {
+    report_.deviate(bsdf.place,
+                    fmt::format("textures of the roughness of {} that \"to_uv\" turns are rendered without anisotropy",
+                                bsdf.description()),
+                    "takes the smaller alpha in both directions");
+    isAnisotropic = false;
+  }
+  const auto setTexture = [&](TextureSlot slot, scene::TextureImage image) {
+    scene::TextureReference use = *u.use;
+    const std::string name = fmt::format("{} {} {} {} {} {} {} {} {}", image.name, u.name, v.name, metalness.name,
+                                         u.width, u.height, static_cast<int>(use.filter), static_cast<int>(use.wrapS),
+                                         static_cast<int>(use.wrapT));
+    use.image = textures_.storeMade(name, std::move(image));
+    set(material, slot, use);
+  };
+  setTexture(TextureSlot::metallicRoughness, std::move(roughness));
+  if (!isAnisotropic) return;
+  setTexture(TextureSlot::anisotropy, std::move(anisotropy));
+  surface.anisotropy = 1;
 }
 
 Bsdf Bsdfs::roughDielectric(const Object& bsdf, double ior) {
@@ -274,24 +334,38 @@ Bsdf Bsdfs::principled(const Object& bsdf) {
   Bsdf result;
   report_.omit(
       "what distinguishes bsdf \"principled\" from glTF's metallic-roughness, of which it has base_color, roughness, "
-      "metallic, eta or specular, and spec_trans");
-  bsdf.omit({"anisotropic", "sheen", "sheen_tint", "flatness", "spec_tint", "clearcoat", "clearcoat_gloss"}, report_);
+      "anisotropic, metallic, eta or specular, and spec_trans");
+  bsdf.omit({"sheen", "sheen_tint", "flatness", "spec_tint", "clearcoat", "clearcoat_gloss"}, report_);
   bsdf.ignore({"main_specular_sampling_rate", "clearcoat_sampling_rate", "diffuse_reflectance_sampling_rate"}, report_);
   const Texture colour = baseColour(bsdf, "base_color", 0.5, result);
   scene::SurfaceParameters surface;
   surface.baseColour = limited(colour.factor);
-  surface.metalness = static_cast<float>(std::clamp(constant(bsdf, "metallic", 0, ColourUse::unbounded).x, 0.0, 1.0));
-  surface.transmissionWeight = static_cast<float>(
-      std::clamp(constant(bsdf, "spec_trans", 0, ColourUse::unbounded).x, 0.0, 1.0));
+  const Texture transmitted = textures_.read(bsdf, "spec_trans", 0, ColourUse::unbounded, Encoding::weight);
+  set(result.material, TextureSlot::transmission, transmitted.reference);
+  surface.transmissionWeight = static_cast<float>(std::clamp(transmitted.factor.x, 0.0, 1.0));
   surface.isThinWalled = surface.transmissionWeight == 0;
-  surface.roughness = static_cast<float>(
-      std::clamp(constant(bsdf, "roughness", 0.5, ColourUse::unbounded).x, 0.0, 1.0));
   const double specular = std::clamp(bsdf.number("specular", 0.5), 0.0, 1.0);
   const double ior = bsdf.number("eta", 2 / (1 - std::sqrt(0.08 * specular)) - 1);
   if (bsdf.has("eta") && bsdf.has("specular"))
     throw PlacedError{bsdf.place, "a BSDF \"principled\" has either \"eta\" or \"specular\""};
   surface.ior = static_cast<float>(std::clamp(ior, 1.0, 1e6));
+  std::array<Numbers, 3> numbers{textures_.readNumbers(bsdf, "roughness", 0.5),
+                                 textures_.readNumbers(bsdf, "anisotropic", 0),
+                                 textures_.readNumbers(bsdf, "metallic", 0)};
+  putOnOneGrid(bsdf, numbers);
+  auto& [roughness, anisotropic, metallic] = numbers;
+  surface.metalness = metallic.use ? 1 : static_cast<float>(std::clamp(metallic.values[0], 0.0, 1.0));
+  Numbers u = roughness, v = roughness;
+  u.name += " anisotropic along " + anisotropic.name;
+  v.name += " anisotropic across " + anisotropic.name;
+  for (std::size_t i = 0; i < roughness.values.size(); ++i) {
+    const double alpha = roughness.values[i] * roughness.values[i];
+    const double aspect = std::sqrt(1 - 0.9 * std::clamp(anisotropic.values[i], 0.0, 1.0));
+    u.values[i] = std::max(kMinPrincipledAlpha, alpha / aspect);
+    v.values[i] = std::max(kMinPrincipledAlpha, alpha * aspect);
+  }
   result.material.surface = surface;
+  setMicrofacets(bsdf, u, v, metallic, result.material);
   result.isTwoSided = surface.transmissionWeight > 0;
   return result;
 }

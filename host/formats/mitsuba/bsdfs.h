@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -71,6 +72,9 @@ class Bsdfs {
   void setOpacity(const Texture& opacity, const Object& bsdf, Bsdf& result);
   void setNormalMap(const Texture& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
   void setRoughness(const Object& bsdf, scene::Material& material);
+  void putOnOneGrid(const Object& bsdf, std::span<Numbers> numbers);
+  void setMicrofacets(const Object& bsdf, const Numbers& u, const Numbers& v, const Numbers& metalness,
+                      scene::Material& material);
   scene::Interface distribution(const Object& bsdf);
   glm::dvec3 constant(const Object& bsdf, const char* name, double absent, ColourUse use);
   Texture baseColour(const Object& bsdf, const char* name, double absent, Bsdf& result);

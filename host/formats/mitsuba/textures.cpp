@@ -24,7 +24,6 @@ namespace {
 
 using scene::quote;
 
-constexpr double kMax = 65535;
 constexpr const char* kLeftOut = "leaves the texture out";
 
 std::size_t sizeOf(const scene::TextureImage& image) { return std::size_t{image.width} * image.height; }
@@ -33,7 +32,7 @@ std::size_t sizeOf(const scene::TextureImage& image) { return std::size_t{image.
 glm::dvec3 signalAt(const scene::TextureImage& image, std::size_t i) {
   glm::dvec3 signal;
   for (int c = 0; c < 3; ++c) {
-    signal[c] = image.isDeep() ? static_cast<double>(image.deepTexels[i] >> (16 * c) & 65535) / kMax
+    signal[c] = image.isDeep() ? static_cast<double>(image.deepTexels[i] >> (16 * c) & 65535) / 65535
                                : static_cast<double>(image.texels[i] >> (8 * c) & 255) / 255;
   }
   return signal;
@@ -43,25 +42,26 @@ glm::dvec3 decoded(const glm::dvec3& signal) {
   return {image::srgbDecode(signal.x), image::srgbDecode(signal.y), image::srgbDecode(signal.z)};
 }
 
-std::uint64_t packed(const glm::dvec3& colour, double alpha) {
-  const auto channel = [](double v) { return static_cast<std::uint64_t>(std::lround(std::clamp(v, 0.0, 1.0) * kMax)); };
-  return channel(colour.x) | channel(colour.y) << 16 | channel(colour.z) << 32 | channel(alpha) << 48;
+double greyOf(const glm::dvec3& value) {
+  return value.x == value.y && value.y == value.z ? value.x : image::luminance(value);
 }
 
 /// Encodes a linear value from 0 to 1 in 16 bits per channel.
 std::uint64_t encoded(const glm::dvec3& value, Encoding encoding) {
-  const double grey = value.x == value.y && value.y == value.z ? value.x : image::luminance(value);
+  const double grey = greyOf(value);
   switch (encoding) {
     case Encoding::srgb:
-      return packed({image::srgbEncode(value.x), image::srgbEncode(value.y), image::srgbEncode(value.z)}, 1);
+      return deepTexelOf({image::srgbEncode(value.x), image::srgbEncode(value.y), image::srgbEncode(value.z)});
     case Encoding::linear:
-      return packed(value, 1);
+      return deepTexelOf(value);
     case Encoding::height:
-      return packed(glm::dvec3(grey), 1);
+      return deepTexelOf(glm::dvec3(grey));
     case Encoding::alpha:
-      return packed(glm::dvec3(1), grey);
+      return deepTexelOf(glm::dvec3(1), grey);
+    case Encoding::weight:
+      return deepTexelOf(glm::dvec3(grey));
     case Encoding::roughness:
-      return packed({1, std::sqrt(std::max(grey, 0.0)), 1}, 1);
+      return deepTexelOf({1, std::sqrt(std::max(grey, 0.0)), 1});
   }
   throw InternalError("an encoding without texels");
 }
@@ -80,18 +80,22 @@ void setMap(const Object& texture, scene::TextureReference& reference) {
   reference.rowT = glm::vec3(map[0][1], map[1][1], map[3][1]);
 }
 
+/// The texture that a property is; null if it is a number, a colour or a spectrum.
+const Object* textureIn(const Property& property) {
+  const auto* const object = std::get_if<const Object*>(&property.value);
+  if (!object || isSpectrum(**object)) return nullptr;
+  if ((*object)->tag == "texture") return *object;
+  throw PlacedError{property.place,
+                    fmt::format("{} is {} instead of a texture", quote(property.name), (*object)->description())};
+}
+
 }  // namespace
 
 Texture Textures::read(const Object& owner, std::string_view name, double absent, ColourUse use, Encoding encoding) {
   const Property* const property = owner.find(name);
   if (!property) return {glm::dvec3(absent)};
-  const auto* const object = std::get_if<const Object*>(&property->value);
-  if (!object || isSpectrum(**object)) return {colourOf(*property, use, report_)};
-  if ((*object)->tag != "texture") {
-    throw PlacedError{property->place,
-                      fmt::format("{} is {} instead of a texture", quote(name), (*object)->description())};
-  }
-  return readObject(**object, use, encoding);
+  const Object* const texture = textureIn(*property);
+  return texture ? readObject(*texture, use, encoding) : Texture{colourOf(*property, use, report_)};
 }
 
 Texture Textures::readObject(const Object& texture, ColourUse use, Encoding encoding) {
@@ -110,8 +114,40 @@ Texture Textures::readObject(const Object& texture, ColourUse use, Encoding enco
   return result;
 }
 
-Texture Textures::readBitmap(const Object& texture, Encoding encoding) {
-  scene::TextureReference reference;
+Numbers Textures::readNumbers(const Object& owner, std::string_view name, double absent) {
+  const Property* const property = owner.find(name);
+  const Object* const texture = property ? textureIn(*property) : nullptr;
+  if (!texture) {
+    const double value = property ? greyOf(colourOf(*property, ColourUse::unbounded, report_)) : absent;
+    return {.values = {value}, .name = fmt::format("{}", value)};
+  }
+  Numbers result{.values = {1}, .name = "1"};
+  if (texture->type == "bitmap") {
+    const auto [source, reference, isRaw, path] = loadBitmap(*texture);
+    if (source) {
+      const scene::TextureImage& image = source->image;
+      requireMemory(path + ": the texture", byteCount_ + sizeof(double) * sizeOf(image),
+                    "use a machine with more memory");
+      result = {reference, image.width, image.height, {}, fmt::format("{} {}", isRaw, path)};
+      result.values.reserve(sizeOf(image));
+      for (std::size_t i = 0; i < sizeOf(image); ++i) result.values.push_back(greyOf(source->valueAt(i, isRaw)));
+    }
+  } else if (texture->type == "checkerboard") {
+    const Checkerboard board = checkerboardOf(*texture, ColourUse::unbounded, true);
+    const double a = greyOf(board.even), b = greyOf(board.odd);
+    result = {board.reference, 2, 2, {a, b, b, a}, board.name};
+  } else {
+    report_.deviate(texture->place, fmt::format("{} of a number is not rendered", texture->description()),
+                    "takes 1 instead");
+    return result;
+  }
+  texture->reportUnused(report_);
+  return result;
+}
+
+Textures::Bitmap Textures::loadBitmap(const Object& texture) {
+  Bitmap result;
+  scene::TextureReference& reference = result.reference;
   setMap(texture, reference);
   const std::string filter = texture.text("filter_type", "bilinear");
   reference.filter = filter == "nearest" ? scene::TextureFilter::nearest : scene::TextureFilter::linear;
@@ -125,14 +161,20 @@ Texture Textures::readBitmap(const Object& texture, Encoding encoding) {
   reference.wrapT = *wrapT;
   texture.ignore({"format", "accel", "max_anisotropy", "cache"}, report_);
   texture.omit({"gamma", "channel"}, report_);
-  const bool isRaw = texture.flag("raw", false);
+  result.isRaw = texture.flag("raw", false);
   const Property* const name = texture.find("filename");
   if (!name) throw PlacedError{texture.place, "the bitmap has no \"filename\""};
   const std::filesystem::path path = findFile(texture.text("filename", ""), *texture.place.document, description_,
                                               file_.folder);
-  const Source* const source = load(path, texture);
+  result.source = load(path, texture);
+  result.path = path.string();
+  return result;
+}
+
+Texture Textures::readBitmap(const Object& texture, Encoding encoding) {
+  auto [source, reference, isRaw, path] = loadBitmap(texture);
   if (!source) return {};
-  const std::string key = fmt::format("{} {} {}", static_cast<int>(encoding), isRaw, path.string());
+  const std::string key = fmt::format("{} {} {}", static_cast<int>(encoding), isRaw, path);
   const auto known = stored_.find(key);
   if (known != stored_.end()) {
     reference.image = known->second.first;
@@ -149,42 +191,44 @@ Texture Textures::readBitmap(const Object& texture, Encoding encoding) {
       factor = std::max({factor, double{value.x}, double{value.y}, double{value.z}});
     if (factor > 1 && encoding != Encoding::srgb && encoding != Encoding::height) factor = 1;
     converted.deepTexels.reserve(sizeOf(image));
-    for (std::size_t i = 0; i < sizeOf(image); ++i) {
-      const glm::dvec3 value = source->isFloat() ? glm::dvec3(source->values[i]) / factor
-                               : isRaw           ? signalAt(image, i)
-                                                 : decoded(signalAt(image, i));
-      converted.deepTexels.push_back(encoded(value, encoding));
-    }
+    for (std::size_t i = 0; i < sizeOf(image); ++i)
+      converted.deepTexels.push_back(encoded(source->valueAt(i, isRaw) / factor, encoding));
     reference.image = store(std::move(converted));
   }
   stored_[key] = {reference.image, factor};
   return {glm::dvec3(factor), reference};
 }
 
-/// Two by two texels. Where a number is needed instead of a colour, Mitsuba exchanges the colours.
-Texture Textures::readCheckerboard(const Object& texture, ColourUse use, Encoding encoding) {
-  scene::TextureReference reference;
-  setMap(texture, reference);
-  reference.filter = scene::TextureFilter::nearest;
+glm::dvec3 Textures::Source::valueAt(std::size_t i, bool isRaw) const {
+  if (isFloat()) return glm::dvec3(values[i]);
+  return isRaw ? signalAt(image, i) : decoded(signalAt(image, i));
+}
+
+// Two by two texels. Where a number is needed instead of a colour, Mitsuba exchanges the colours.
+Textures::Checkerboard Textures::checkerboardOf(const Object& texture, ColourUse use, bool isNumber) {
+  Checkerboard result;
+  setMap(texture, result.reference);
+  result.reference.filter = scene::TextureFilter::nearest;
   const auto colour = [&](const char* name, double absent) {
     const Property* const property = texture.find(name);
     return property ? colourOf(*property, use, report_) : glm::dvec3(absent);
   };
-  glm::dvec3 even = colour("color0", 0.4), odd = colour("color1", 0.2);
+  result.even = colour("color0", 0.4);
+  result.odd = colour("color1", 0.2);
+  if (isNumber) std::swap(result.even, result.odd);
+  const glm::dvec3 even = result.even, odd = result.odd;
+  result.name = fmt::format("checkerboard {} {} {} {} {} {}", even.x, even.y, even.z, odd.x, odd.y, odd.z);
+  return result;
+}
+
+Texture Textures::readCheckerboard(const Object& texture, ColourUse use, Encoding encoding) {
   const bool isNumber = encoding != Encoding::srgb && encoding != Encoding::linear;
-  if (isNumber) std::swap(even, odd);
+  auto [reference, even, odd, name] = checkerboardOf(texture, use, isNumber);
   const double largest = std::max({even.x, even.y, even.z, odd.x, odd.y, odd.z});
   const double factor = encoding == Encoding::srgb && largest > 1 ? largest : 1;
-  const std::string key = fmt::format("checkerboard {} {} {} {} {} {} {}", static_cast<int>(encoding), even.x, even.y,
-                                      even.z, odd.x, odd.y, odd.z);
-  const auto known = stored_.find(key);
-  if (known == stored_.end()) {
-    const std::uint64_t a = encoded(even / factor, encoding), b = encoded(odd / factor, encoding);
-    reference.image = store({"checkerboard", 2, 2, {}, {a, b, b, a}});
-    stored_[key] = {reference.image, factor};
-  } else {
-    reference.image = known->second.first;
-  }
+  const std::uint64_t a = encoded(even / factor, encoding), b = encoded(odd / factor, encoding);
+  reference.image = storeMade(fmt::format("{} {}", static_cast<int>(encoding), name),
+                              {"checkerboard", 2, 2, {}, {a, b, b, a}});
   return {glm::dvec3(factor), reference};
 }
 
@@ -245,6 +289,14 @@ std::uint32_t Textures::store(scene::TextureImage image) {
   requireMemory(image.name + ": with this image, the scene", byteCount_, "use a machine with more memory");
   images_.push_back(std::move(image));
   return static_cast<std::uint32_t>(images_.size() - 1);
+}
+
+std::uint32_t Textures::storeMade(const std::string& name, scene::TextureImage image) {
+  const auto known = stored_.find(name);
+  if (known != stored_.end()) return known->second.first;
+  const std::uint32_t index = store(std::move(image));
+  stored_[name] = {index, 1};
+  return index;
 }
 
 std::uint64_t Textures::hashFiles(std::uint64_t hash) const {

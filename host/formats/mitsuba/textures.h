@@ -8,6 +8,7 @@
 
 #include "host/formats/loading/path_guard.h"
 #include "host/formats/mitsuba/description.h"
+#include "host/formats/mitsuba/numbers.h"
 #include "host/formats/mitsuba/spectrum.h"
 #include "host/scene/texture.h"
 
@@ -35,6 +36,7 @@ enum class Encoding {
   linear,     ///< normal maps
   height,     ///< bump maps, from grey
   alpha,      ///< the alpha channel of an opacity, from grey
+  weight,     ///< the red channel of a transmission
   roughness,  ///< the green channel, of which alpha of microfacets is the square; blue is 1
 };
 
@@ -51,6 +53,11 @@ class Textures {
   /// Returns the same of a texture that is nested in another object.
   Texture readObject(const Object& texture, ColourUse use, Encoding encoding);
 
+  /// Returns the same of a property that is one number, as the luminance of a colour is; texels are not encoded.
+  Numbers readNumbers(const Object& owner, std::string_view name, double absent);
+  /// Stores an image that texels of others determine. Those with equal names, which state all of these, are equal.
+  std::uint32_t storeMade(const std::string& name, scene::TextureImage image);
+
   /// The images to which the references refer.
   std::vector<scene::TextureImage> takeImages() { return std::move(images_); }
   /// Continues `hash` over the bytes of all files that were read.
@@ -62,8 +69,26 @@ class Textures {
     scene::TextureImage image{};
     std::vector<glm::vec3> values{};  ///< of files of floats
     bool isFloat() const { return !values.empty(); }
+    glm::dvec3 valueAt(std::size_t i, bool isRaw) const;  ///< linear; not raw ones of integers are decoded
   };
 
+  /// A bitmap as its object states it. Without a source, the image cannot be read.
+  struct Bitmap {
+    const Source* source = nullptr;
+    scene::TextureReference reference{};  ///< without the index of an image
+    bool isRaw = false;
+    std::string path{};
+  };
+
+  /// The colours of a checkerboard, with those of the first texel first.
+  struct Checkerboard {
+    scene::TextureReference reference{};  ///< without the index of an image
+    glm::dvec3 even{}, odd{};
+    std::string name{};
+  };
+
+  Bitmap loadBitmap(const Object& texture);
+  Checkerboard checkerboardOf(const Object& texture, ColourUse use, bool isNumber);
   Texture readBitmap(const Object& texture, Encoding encoding);
   Texture readCheckerboard(const Object& texture, ColourUse use, Encoding encoding);
   Texture readAttribute(const Object& texture, Encoding encoding);

@@ -289,12 +289,115 @@ TEST_CASE("Images are stored as their file has them, or in the encoding of their
   const scene::Scene isotropic = picture.sceneOf(both("", ""));
   CHECK(isotropic.materials[0].surface->anisotropy == 0);
   CHECK(referenceIn(isotropic, TextureSlot::metallicRoughness).image == 0);
-  CHECK(xmlErrorsOf(both("", "<string name=\"wrap_mode\" value=\"clamp\"/>"), {}, "3.0.0", picture.path(""))
-            .find("different textures of \"alpha_u\" and \"alpha_v\" are not rendered") != std::string::npos);
+  CHECK_FALSE(textureOf(isotropic.materials[0], TextureSlot::anisotropy));
+  CHECK(isotropic.images.size() == 1);
+  CHECK(
+      xmlErrorsOf(both("", "<string name=\"wrap_mode\" value=\"clamp\"/>"), {}, "3.0.0", picture.path(""))
+          .find(
+              "textures of the roughness or the metalness of bsdf \"roughconductor\" that have different transforms") !=
+      std::string::npos);
 
   const scene::Scene glass = picture.sceneOf(
       withBsdf("<bsdf type=\"dielectric\">" + bitmap("specular_reflectance") + "</bsdf>"));
   CHECK(referenceIn(glass, TextureSlot::specularColour).image == 0);
+}
+
+/// Alpha along the tangent and across it, and the metalness, that texel i of the textures of a material means.
+glm::dvec3 microfacetsAt(const scene::Scene& scene, std::size_t i) {
+  const scene::Material& material = scene.materials.at(0);
+  const auto texel = [&](TextureSlot slot) {
+    const std::uint64_t bits = scene.images.at(textureOf(material, slot).value().image).deepTexels.at(i);
+    return glm::dvec4(bits & 65535, bits >> 16 & 65535, bits >> 32 & 65535, bits >> 48) / 65535.0;
+  };
+  const glm::dvec4 rough = texel(TextureSlot::metallicRoughness);
+  const double roughness = rough.y * double{material.surface->roughness};
+  const double across = roughness * roughness;
+  if (!textureOf(material, TextureSlot::anisotropy)) return {across, across, rough.z};
+  const glm::dvec4 facets = texel(TextureSlot::anisotropy);
+  const double strength = facets.z * double{material.surface->anisotropy};
+  const double along = glm::mix(across, 1.0, strength * strength);
+  const glm::dvec2 direction = 2.0 * glm::dvec2(facets) - 1.0;
+  CHECK(std::max(direction.x, direction.y) == Approx(1));
+  CHECK(std::abs(std::min(direction.x, direction.y)) < 1e-4);
+  return direction.x > direction.y ? glm::dvec3(along, across, rough.z) : glm::dvec3(across, along, rough.z);
+}
+
+bool isNear(const glm::dvec3& a, const glm::dvec3& b) { return length(a - b) < 1e-4; }
+
+TEST_CASE("Textures of alpha_u and alpha_v are converted texel by texel, as one of them and a number are") {
+  const auto board = [](const char* name, const char* even, const char* odd, const char* scale) {
+    return fmt::format(R"(<texture type="checkerboard" name="{}"><float name="color0" value="{}"/>
+<float name="color1" value="{}"/><transform name="to_uv">{}</transform></texture>)",
+                       name, even, odd, scale);
+  };
+  const char* const scaled = R"(<scale x="-25" y="5"/>)";
+  const auto rough = [](const std::string& content) {
+    return withBsdf("<bsdf type=\"roughconductor\">" + content + "</bsdf>");
+  };
+  const scene::Scene both = xmlSceneOf(
+      rough(board("alpha_u", "0.05", "0.3", scaled) + board("alpha_v", "0.2", "0.1", scaled)));
+  CHECK(isNear(microfacetsAt(both, 0), {0.3, 0.1, 1}));
+  CHECK(isNear(microfacetsAt(both, 1), {0.05, 0.2, 1}));
+  CHECK(isNear(microfacetsAt(both, 2), microfacetsAt(both, 1)));
+  CHECK(referenceIn(both, TextureSlot::anisotropy).filter == scene::TextureFilter::nearest);
+  CHECK(referenceIn(both, TextureSlot::anisotropy).rowS == glm::vec3(-25, 0, 0));
+  CHECK(referenceIn(both, TextureSlot::metallicRoughness).rowT == glm::vec3(0, 5, 0));
+  const scene::Scene one = xmlSceneOf(
+      rough(R"(<float name="alpha_u" value="0.2"/>)" + board("alpha_v", "0", "2", scaled)));
+  CHECK(isNear(microfacetsAt(one, 0), {0.2, 1, 1}));
+  CHECK(isNear(microfacetsAt(one, 1), {0.2, 1e-4, 1}));
+  const scene::Scene twice = xmlSceneOf(
+      rough(board("alpha_u", "0.05", "0.3", scaled) + board("alpha_v", "0.2", "0.1", scaled)) +
+      rough(board("alpha_u", "0.05", "0.3", scaled) + board("alpha_v", "0.2", "0.1", scaled)));
+  CHECK(twice.images.size() == 2);
+
+  const std::string turned = rough(board("alpha_u", "0.05", "0.3", R"(<rotate z="1" angle="30"/>)") +
+                                   board("alpha_v", "0.2", "0.1", R"(<rotate z="1" angle="30"/>)"));
+  CHECK(xmlErrorsOf(turned).find("that \"to_uv\" turns are rendered without anisotropy; lenient takes the smaller") !=
+        std::string::npos);
+  CHECK(isNear(microfacetsAt(loadXml(turned, kLenient).scene, 0), {0.1, 0.1, 1}));
+  const std::string apart = rough(board("alpha_u", "0.05", "0.3", scaled) + board("alpha_v", "0.2", "0.1", ""));
+  CHECK(xmlErrorsOf(apart).find("have different transforms, wrap modes or filters are not rendered") !=
+        std::string::npos);
+  CHECK(isNear(microfacetsAt(loadXml(apart, kLenient).scene, 0), {0.3, 0.2, 1}));
+}
+
+TEST_CASE("Principled BSDFs have textures of roughness, anisotropy, metalness and transmission") {
+  const auto board = [](const char* name, const char* even, const char* odd) {
+    return fmt::format(R"(<texture type="checkerboard" name="{}"><float name="color0" value="{}"/>
+<float name="color1" value="{}"/></texture>)",
+                       name, even, odd);
+  };
+  const auto principled = [](const std::string& content) {
+    return xmlSceneOf(withBsdf("<bsdf type=\"principled\">" + content + "</bsdf>"));
+  };
+  const scene::Scene metal = principled(board("metallic", "0.25", "0.75") + R"(<float name="roughness" value="0.5"/>)");
+  CHECK(metal.materials[0].surface->metalness == 1);
+  CHECK(isNear(microfacetsAt(metal, 0), {0.25, 0.25, 0.75}));
+  CHECK(isNear(microfacetsAt(metal, 1), {0.25, 0.25, 0.25}));
+  const scene::Scene rough = principled(board("roughness", "0", "0.8") + R"(<float name="metallic" value="0.25"/>)");
+  CHECK(isNear(microfacetsAt(rough, 0), {0.64, 0.64, 0.25}));
+  CHECK(isNear(microfacetsAt(rough, 1), {0.001, 0.001, 0.25}));
+  const scene::Scene brushed = principled(board("roughness", "0.2", "0.5") + board("anisotropic", "0", "0.4") +
+                                          board("metallic", "1", "0"));
+  CHECK(isNear(microfacetsAt(brushed, 0), {0.3125, 0.2, 0}));
+  CHECK(isNear(microfacetsAt(brushed, 1), {0.04, 0.04, 1}));
+  const scene::SurfaceParameters constant = *principled(R"(<float name="roughness" value="0.5"/>
+<float name="anisotropic" value="0.4"/><float name="metallic" value="0.25"/>)")
+                                                 .materials[0]
+                                                 .surface;
+  CHECK(constant.roughness == Approx(std::sqrt(0.2)));
+  CHECK(constant.anisotropy == Approx(std::sqrt(0.1125 / 0.8)));
+  CHECK(constant.anisotropyRotation == 0);
+  CHECK(constant.metalness == 0.25f);
+
+  const scene::Scene glass = principled(board("spec_trans", "0.25", "0.5"));
+  CHECK(glass.materials[0].surface->hasVolume());
+  CHECK(glass.materials[0].surface->transmissionWeight == 1);
+  CHECK_FALSE(glass.materials[0].opaque);
+  const scene::TextureImage& image = glass.images.at(referenceIn(glass, TextureSlot::transmission).image);
+  CHECK((image.deepTexels.at(0) & 65535) == 32768);
+  CHECK((image.deepTexels.at(1) & 65535) == 16384);
 }
 
 TEST_CASE("Bitmaps have the filter, the wrap mode and the transform that the file states") {

@@ -115,7 +115,8 @@ TEST_CASE("Materials scatter light that arrives at an angle by their models") {
            {dvec3(ggx(0.5)), dvec3(beckmann(0.5, 0.5)), dvec3(beckmann(0.5, 0.2)), dvec3((ggx(0.04) + ggx(0.36)) / 2),
             dvec3(0.75 * (s * s + p * p) / 2 * beckmann(0.5, 0.5)), dvec3(mapped(tilted)),
             dvec3((mapped({0, 0, 1}) + mapped(slope)) / 2), dvec3(0.35 * kCosine), dvec3(0.75 * 0.8 * kCosine),
-            dvec3(0.8 * kCosine), dvec3(0)},
+            dvec3(0.8 * kCosine), dvec3(0), dvec3((beckmann(0.5, 0.2) + beckmann(0.2, 0.5)) / 2),
+            dvec3((beckmann(0.04, 0.2) + beckmann(0.36, 0.2)) / 2)},
            {}, 2e-3);
 }
 
