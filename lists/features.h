@@ -53,6 +53,6 @@
   X(plastics, kHasPlastic, 107)                    /* some surface is plastic */                            \
   X(interfaces, kHasInterfaces, 109)               /* some surface is a single interface */                 \
   X(choices, kHasChoices, 110)                     /* some material is a choice between two */              \
-  X(bumpMaps, kHasBumpMaps, 111)                   /* some normal map has heights */
+  X(filteredNormals, kHasFilteredNormals, 111)     /* some normal map has heights, or no facets */
 
 #endif

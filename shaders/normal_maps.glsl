@@ -22,10 +22,11 @@ bool hasTangents(Surface surface) {
   return (surface.attributes & needed) == needed;
 }
 
-// Returns the direction of the texel that `reference` selects, of any length.
-vec3 directionOfTexel(Surface surface, uint reference, float scale) {
-  uvec2 texel = textureTexel(reference, surface.texCoords, surface.jitter.xy);
-  vec3 direction = 2.0 * vec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0;
+// Returns the direction of the texel that `reference` selects, or interpolated among four, of any length.
+vec3 mappedDirection(Surface surface, uint reference, float scale, bool isInterpolated) {
+  vec3 colour = isInterpolated ? filteredTexel(reference, surface.texCoords).xyz
+                               : channelValues(textureTexel(reference, surface.texCoords, surface.jitter.xy)).xyz;
+  vec3 direction = 2.0 * colour - 1.0;
   vec3 bitangent = surface.tangent.w * cross(surface.shading, surface.tangent.xyz);
   return scale * (direction.x * surface.tangent.xyz + direction.y * bitangent) + direction.z * surface.shading;
 }
@@ -34,12 +35,14 @@ vec3 directionOfTexel(Surface surface, uint reference, float scale) {
 // `flags`: kNormalMap... `wo` is the direction to the eye.
 void mapNormal(inout Surface surface, uint reference, float scale, uint flags, vec3 wo) {
   if (reference == 0u || surface.tangent.xyz == vec3(0.0)) return;
-  bool hasHeights = kHasBumpMaps && (flags & kNormalMapHeights) != 0u;
-  vec3 sum = hasHeights ? bumpedNormal(surface, reference, scale) : directionOfTexel(surface, reference, scale);
+  bool hasHeights = kHasFilteredNormals && (flags & kNormalMapHeights) != 0u;
+  bool hasFacets = !kHasFilteredNormals || (flags & kNormalMapWithoutFacets) == 0u;
+  vec3 sum = hasHeights ? bumpedNormal(surface, reference, scale)
+                        : mappedDirection(surface, reference, scale, !hasFacets);
   float squared = dot(sum, sum);
   if (squared == 0.0) return;
   vec3 mapped = sum * (1.0 / sqrt(squared));
-  if ((flags & kNormalMapWithoutFacets) != 0u) {
+  if (!hasFacets) {
     surface.unmapped = surface.shading;
     bool isAway = dot(mapped, wo) * dot(surface.shading, wo) <= 0.0;
     surface.shading = isAway ? -mirroredAt(surface.shading, mapped) : mapped;

@@ -21,7 +21,7 @@ float opacityAt(Attributes attributes, uint kind, vec2 weights, vec2 jitter) {
   if (kHasColours && hasAll(attributes, kGeometryColours)) alpha *= colourAt(attributes, weights).w;
   if (opacity.z != 0u) {
     vec4 texCoords = texCoordsAt(attributes, weights);
-    alpha *= cutoff < 0.0 ? alphaOf(textureTexel(opacity.z, texCoords, jitter)) : filteredAlpha(opacity.z, texCoords);
+    alpha *= cutoff < 0.0 ? alphaOf(textureTexel(opacity.z, texCoords, jitter)) : filteredTexel(opacity.z, texCoords).w;
   }
   return cutoff < 0.0 ? alpha : alpha >= cutoff ? 1.0 : 0.0;
 }

@@ -120,8 +120,8 @@ void light(inout ShadowRay shadow, Path path, SampleKey key, Surface surface, Sh
   vec3 scattered;
   if (kHasNormalMaps) {
     transmitted = shading.facets.exist ? facingCosine(shading, lit.wi) <= 0.0 : transmitted;
-    scattered = bumpShadowing(shading.unmapped, wi) *
-                facetScattering(material, shading.facets, shading.wo, wi, transmitted, pdf);
+    scattered = facetScattering(material, shading.facets, shading.wo, wi, transmitted, pdf);
+    if (kHasFilteredNormals) scattered *= bumpShadowing(shading.unmapped, wi);
   } else {
     scattered = evaluateBsdf(material, shading.wo, wi, pdf) * abs(wi.z);
   }
@@ -150,7 +150,7 @@ bool scatter(inout Path path, Surface surface, Shading shading, Material materia
   decisions.lobe = next.lobe;
   if (next.lobe == kLobeNone) return false;
   if (kHasNormalMaps && shading.facets.exist) next = leavingFacet(material, shading.facets, shading.wo, next);
-  if (kHasNormalMaps) next.weight *= bumpShadowing(shading.unmapped, next.wi);
+  if (kHasFilteredNormals) next.weight *= bumpShadowing(shading.unmapped, next.wi);
   precise vec3 direction = unit(shading.frame * next.wi);
   bool kept = keepsSide(shading, direction, next.lobe == kLobeRefract);
   path.throughput *= next.weight;

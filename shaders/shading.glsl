@@ -21,7 +21,7 @@ Shading shadingAt(Surface surface, vec3 wo) {
   Normals normals = normalsTowards(surface, wo);
   mat3 frame = kHasAnisotropy ? frameAlong(normals.shading, surface.anisotropyDirection) : frameAround(normals.shading);
   Shading shading = Shading(frame, surface.outward, wo * frame, normals.outside, kNoFacets, vec3(0.0));
-  if (kHasNormalMaps) shading.unmapped = surface.unmapped * frame;
+  if (kHasFilteredNormals) shading.unmapped = surface.unmapped * frame;
   if (kHasNormalMaps && surface.isMapped) {
     shading.facets = Facets(true, normals.geometric * frame);
     shading.wo = seenByFacet(shading.facets, shading.wo, surface.facet);

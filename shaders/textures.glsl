@@ -107,12 +107,13 @@ uvec4 channelsOf(uvec2 texel) {
   return uvec4(texel.x & 255u, (texel.x >> 8) & 255u, (texel.x >> 16) & 255u, texel.x >> 24);
 }
 
-float channelValue(uint channel) { return float(channel) * (kHasDeepTexels ? 1.0 / 65535.0 : 1.0 / 255.0); }
+// Returns the channels of a texel, from 0 to 1.
+vec4 channelValues(uvec2 texel) { return vec4(channelsOf(texel)) * (kHasDeepTexels ? 1.0 / 65535.0 : 1.0 / 255.0); }
 
-float redOf(uvec2 texel) { return channelValue(channelsOf(texel).x); }
-float greenOf(uvec2 texel) { return channelValue(channelsOf(texel).y); }
-float blueOf(uvec2 texel) { return channelValue(channelsOf(texel).z); }
-float alphaOf(uvec2 texel) { return channelValue(channelsOf(texel).w); }
+float redOf(uvec2 texel) { return channelValues(texel).x; }
+float greenOf(uvec2 texel) { return channelValues(texel).y; }
+float blueOf(uvec2 texel) { return channelValues(texel).z; }
+float alphaOf(uvec2 texel) { return channelValues(texel).w; }
 
 // Returns the weights of the next texels across and down among the four around the coordinates of a lookup.
 vec2 nextTexelWeights(Lookup at) {
@@ -120,13 +121,13 @@ vec2 nextTexelWeights(Lookup at) {
   return fract(position - 0.5);
 }
 
-// Returns the alpha of a reference, interpolated among four texels unless its filter is `nearest`.
-float filteredAlpha(uint reference, vec4 texCoords) {
+// Returns the channels of a reference, interpolated among four texels unless its filter is `nearest`.
+vec4 filteredTexel(uint reference, vec4 texCoords) {
   Lookup at = lookupAt(reference, texCoords);
-  if (at.nearest) return alphaOf(texelAt(at, vec2(0.0)));
+  if (at.nearest) return channelValues(texelAt(at, vec2(0.0)));
   vec2 weight = nextTexelWeights(at);
-  float upper = mix(alphaOf(texelAt(at, vec2(-0.5))), alphaOf(texelAt(at, vec2(0.5, -0.5))), weight.x);
-  float lower = mix(alphaOf(texelAt(at, vec2(-0.5, 0.5))), alphaOf(texelAt(at, vec2(0.5))), weight.x);
+  vec4 upper = mix(channelValues(texelAt(at, vec2(-0.5))), channelValues(texelAt(at, vec2(0.5, -0.5))), weight.x);
+  vec4 lower = mix(channelValues(texelAt(at, vec2(-0.5, 0.5))), channelValues(texelAt(at, vec2(0.5))), weight.x);
   return mix(upper, lower, weight.y);
 }
 

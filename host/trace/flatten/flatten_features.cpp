@@ -35,11 +35,11 @@ void noteRun(const scene::Scene& scene, const scene::PrimitiveRun& run, SceneFea
     features.longCorners |= needsLongCorners(meshOf(scene, primitive));
     features.colours |= !meshOf(scene, primitive).colours.empty();
     features.tangents |= hasTangents(scene, primitive);
-    const auto hasBumpMap = [](const scene::Material& material) {
-      return hasNormalMap(material) && material.hasHeights;
+    const auto isInterpolated = [](const scene::Material& material) {
+      return hasNormalMap(material) && (material.hasHeights || !material.hasFacets);
     };
     features.normalMaps |= hasTangents(scene, primitive) && anyMaterial(scene, primitive.material, scene::hasNormalMap);
-    features.bumpMaps |= hasTangents(scene, primitive) && anyMaterial(scene, primitive.material, hasBumpMap);
+    features.filteredNormals |= hasTangents(scene, primitive) && anyMaterial(scene, primitive.material, isInterpolated);
   }
 }
 
@@ -79,6 +79,16 @@ void noteMaterial(const scene::Material& material, render::Integrator integrator
   features.textures |= isTextured(material) || material.opacity.has_value();
 }
 
+// Notes a material, and those between which it is a choice.
+void noteMaterials(const scene::Scene& scene, std::uint32_t index, render::Integrator integrator,
+                   SceneFeatures& features) {
+  const scene::Material& material = scene.materials[index];
+  noteMaterial(material, integrator, features);
+  if (!material.choice) return;
+  noteMaterials(scene, material.choice->first, integrator, features);
+  noteMaterials(scene, material.choice->second, integrator, features);
+}
+
 }  // namespace
 
 SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrator) {
@@ -88,10 +98,7 @@ SceneFeatures featuresOf(const scene::Scene& scene, render::Integrator integrato
     noteRun(scene, run, features);
     if (used[run.start.material]) continue;
     used[run.start.material] = true;
-    anyMaterial(scene, run.start.material, [&](const scene::Material& material) {
-      noteMaterial(material, integrator, features);
-      return false;
-    });
+    noteMaterials(scene, run.start.material, integrator, features);
   }
   features.deepTexels = features.textures && hasDeepTexels(scene);
   features.sky = scene.sky.has_value();

@@ -12,16 +12,24 @@
 namespace candela::reference {
 namespace {
 
-// The components of a direction that a texel encodes in red, green and blue.
-dvec3 directionOf(Texel texel) { return 2.0 * dvec3(redOf(texel), greenOf(texel), blueOf(texel)) - 1.0; }
+// Returns red, green and blue of a normal map at a surface point; nothing without one.
+std::optional<dvec3> colourOfMap(const TextureReader& textures, scene::TextureSlot slot, const Surface& surface) {
+  const scene::Material& material = textures.scene.materials[surface.material];
+  const auto& texture = textureOf(material, slot);
+  if (!texture || textures.scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) {
+    return std::nullopt;
+  }
+  return dvec3(material.hasFacets ? channelsOf(textures.read(texture, surface.attributes, surface.textureJitter))
+                                  : textures.filtered(texture, surface.attributes));
+}
 
-// Returns the direction of a texel in the space of the scene, of any length.
-std::optional<dvec3> normalOfTexel(const TextureReader& textures, scene::TextureSlot slot, const Surface& surface) {
-  const std::optional<Texel> texel = textures.at(surface, slot);
-  if (!texel) return std::nullopt;
+// Returns the direction that a map encodes, in the space of the scene, of any length.
+std::optional<dvec3> mappedDirection(const TextureReader& textures, scene::TextureSlot slot, const Surface& surface) {
+  const std::optional<dvec3> colour = colourOfMap(textures, slot, surface);
+  if (!colour) return std::nullopt;
   const scene::Material& material = textures.scene.materials[surface.material];
   const double scale = slot == scene::TextureSlot::normal ? material.normalScale : material.coatNormalScale;
-  const dvec3 c = directionOf(*texel);
+  const dvec3 c = 2.0 * *colour - 1.0;
   const auto& [tangent, bitangent] = std::pair(surface.attributes.tangent, surface.attributes.bitangent);
   return c.x * scale * tangent + c.y * scale * bitangent + c.z * surface.smoothNormal;
 }
@@ -33,7 +41,7 @@ void applyNormalMap(const TextureReader& textures, scene::TextureSlot slot, cons
   const scene::Material& material = textures.scene.materials[surface.material];
   const bool hasHeights = material.hasHeights && slot == scene::TextureSlot::normal;
   const std::optional<dvec3> normal = hasHeights ? bumpedNormal(textures, surface)
-                                                 : normalOfTexel(textures, slot, surface);
+                                                 : mappedDirection(textures, slot, surface);
   if (!normal || *normal == dvec3(0) || surface.attributes.tangent == dvec3(0)) return;
   dvec3 mapped = normalize(*normal);
   surface.isMapped = material.hasFacets;

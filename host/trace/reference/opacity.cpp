@@ -28,7 +28,7 @@ double opacityAt(const scene::Scene& scene, const scene::Primitive& triangle, co
   if (!meshOf(scene, triangle).colours.empty()) alpha *= attributes.colour.w;
   if (opacity.texture) {
     const scene::TextureImage& image = scene.images[opacity.texture->image];
-    alpha *= opacity.cutoff ? filteredAlpha(image, *opacity.texture, st)
+    alpha *= opacity.cutoff ? filteredTexel(image, *opacity.texture, st).w
                             : alphaOf(texelAt(image, *opacity.texture, st, jitter));
   }
   if (!opacity.cutoff) return alpha;

@@ -77,16 +77,18 @@ double greenOf(Texel texel) { return channel(texel, 1) / 65535.0; }
 double blueOf(Texel texel) { return channel(texel, 2) / 65535.0; }
 double alphaOf(Texel texel) { return channel(texel, 3) / 65535.0; }
 
-double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
-  if (reference.filter == scene::TextureFilter::nearest) return alphaOf(texelAt(image, reference, st, dvec2(0)));
+glm::dvec4 channelsOf(Texel texel) { return {redOf(texel), greenOf(texel), blueOf(texel), alphaOf(texel)}; }
+
+glm::dvec4 filteredTexel(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {
+  if (reference.filter == scene::TextureFilter::nearest) return channelsOf(texelAt(image, reference, st, dvec2(0)));
   const dvec2 fraction = fractionBetweenTexels(image, st);
-  double alpha = 0;
+  glm::dvec4 channels(0);
   for (int corner = 0; corner < 4; ++corner) {
     const dvec2 next(corner % 2, corner / 2);  // a jitter of 1 leads to the next texel
     const dvec2 weight = glm::mix(1.0 - fraction, fraction, next);
-    alpha += weight.x * weight.y * alphaOf(texelAt(image, reference, st, next));
+    channels += weight.x * weight.y * channelsOf(texelAt(image, reference, st, next));
   }
-  return alpha;
+  return channels;
 }
 
 dvec2 gradientOfRed(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st) {

@@ -26,12 +26,13 @@ Texel texelAt(const scene::TextureImage& image, const scene::TextureReference& r
 dvec2 textureCoordinates(const scene::TextureReference& reference, const MeshAttributes& attributes);
 
 /// The channels of a texel, 0 to 1.
+glm::dvec4 channelsOf(Texel texel);
 double redOf(Texel texel);
 double greenOf(Texel texel);
 double blueOf(Texel texel);
 double alphaOf(Texel texel);
-/// The alpha at texture coordinates (s, t), interpolated among four texels unless the filter is `nearest`.
-double filteredAlpha(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
+/// The channels at texture coordinates (s, t), interpolated among four texels unless the filter is `nearest`.
+glm::dvec4 filteredTexel(const scene::TextureImage& image, const scene::TextureReference& reference, const dvec2& st);
 
 /// The derivatives by s and t of the red at texture coordinates (s, t), interpolated among four texels whatever the
 /// filter.

@@ -82,6 +82,14 @@ dvec2 TextureReader::gradientOfRed(const std::optional<scene::TextureReference>&
   return reference::gradientOfRed(image, *texture, st);
 }
 
+glm::dvec4 TextureReader::filtered(const std::optional<scene::TextureReference>& texture,
+                                   const MeshAttributes& attributes) const {
+  const dvec2 st = arithmetic.texCoords(texture, attributes);
+  const scene::TextureImage& image = scene.images[texture->image];
+  if (texture->filter == scene::TextureFilter::nearest) arithmetic.decide(texelAt(image, *texture, st, dvec2(0)));
+  return filteredTexel(image, *texture, st);
+}
+
 std::optional<Texel> TextureReader::at(const Surface& surface, scene::TextureSlot slot) const {
   const auto& texture = textureOf(scene.materials[surface.material], slot);
   if (!texture || scene.primitives[surface.primitive].kind != scene::PrimitiveKind::triangle) return std::nullopt;

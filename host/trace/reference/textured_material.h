@@ -19,6 +19,8 @@ struct TextureReader {
              const dvec2& jitter) const;
   /// Returns the derivatives of the red of a texture by its coordinates s and t, interpolated among four texels.
   dvec2 gradientOfRed(const std::optional<scene::TextureReference>& texture, const MeshAttributes& attributes) const;
+  /// Returns the channels of a texture, interpolated among four texels unless its filter is `nearest`.
+  glm::dvec4 filtered(const std::optional<scene::TextureReference>& texture, const MeshAttributes& attributes) const;
   /// Returns the texel of a slot of the material at a surface point; nothing without a texture.
   std::optional<Texel> at(const Surface& surface, scene::TextureSlot slot) const;
 };

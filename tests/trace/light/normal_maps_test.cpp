@@ -192,6 +192,29 @@ TEST_CASE("low lights are hardly brighter on diffuse facets than their cosine, w
   });
 }
 
+TEST_CASE("between texels, facets have the light of both normals, and a map without facets the interpolated normal") {
+  // Texels whose normals are tilted to the left and to the right by 53 degrees, as seen at their common edge.
+  SceneBuilder b;
+  b.scene.images = {{"tilted", 2, 1, {0xffcc801a, 0xffcc80e6}, {}}};
+  b.material(mapped({.specularWeight = 0})).view({0, 0, 5}, {0, 0, 0}, {0, 1, 0}, 0.01f);
+  addMesh(b.scene, flatSquare(1), 0);
+  scene::PunctualLight light;
+  light.kind = scene::PunctualLight::Kind::directional;
+  light.intensity = vec3(3.14159265f);
+  light.direction = {-0.8f, 0, -0.6f};
+  b.scene.punctualLights = {light};
+  const glm::dvec3 left = glm::normalize(glm::dvec3(26, 128, 204) / 127.5 - 1.0), towards(0.8, 0, 0.6);
+  const glm::dvec3 right = glm::normalize(glm::dvec3(230, 128, 204) / 127.5 - 1.0);
+  const double direct = (std::max(0.0, glm::dot(left, towards)) + std::max(0.0, glm::dot(right, towards))) / 2;
+  scene::Scene replaced = b.scene;
+  replaced.materials[0].hasFacets = false;
+  onBothTracers([&](const RenderFunction& render) {
+    CHECK(meanLuminance(render(b.scene, squareSettings(16, 256)).film) ==
+          Approx(direct + (1 - left.z) / 2 * towards.z).epsilon(5e-3));
+    CHECK(meanLuminance(render(replaced, squareSettings(4, 16)).film) == Approx(towards.z).epsilon(5e-3));
+  });
+}
+
 TEST_CASE("without facets, a mapped normal that faces away from the eye is turned about the surface's") {
   // The normal is tilted to the left by 53 degrees, and the eye is low on either side: on the right, it sees the normal
   // tilted to the right.

@@ -83,5 +83,5 @@ TEST_CASE("channels of 16 bits are not rounded") {
   CHECK(blueOf(texel) == 1);
   CHECK(alphaOf(texel) == 1 / 65535.0);
   CHECK(linearColour(texel).x == Approx(std::pow((12345 / 65535.0 + 0.055) / 1.055, 2.4)).epsilon(1e-6));
-  CHECK(filteredAlpha(image, {}, {0.5, 0.5}) == Approx(0.5 / 65535));
+  CHECK(filteredTexel(image, {}, {0.5, 0.5}).w == Approx(0.5 / 65535));
 }
