@@ -16,10 +16,15 @@ using nlohmann::json;
 json toJson(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 json toJson(const Camera& camera) {
-  json object{{"from", toJson(camera.from)}, {"at", toJson(camera.at)},
-              {"up", toJson(camera.up)},     {"angle", camera.angle},
-              {"hither", camera.hither},     {"size", fmt::format("{}x{}", camera.width, camera.height)},
-              {"aperture", camera.aperture}, {"focal", camera.focal}};
+  json object{{"from", toJson(camera.from)},
+              {"at", toJson(camera.at)},
+              {"up", toJson(camera.up)},
+              {"angle", camera.angle},
+              {"hither", camera.hither},
+              {"size", fmt::format("{}x{}", camera.width, camera.height)},
+              {"aperture", camera.aperture},
+              {"focal", camera.focal},
+              {"shift", {camera.shift.x, camera.shift.y}}};
   if (camera.orthographicHeight) {
     object.erase("angle");
     object["orthographicHeight"] = *camera.orthographicHeight;
@@ -44,8 +49,9 @@ std::string toText(const glm::vec3& v) { return fmt::format("{:g} {:g} {:g}", v.
 std::string toText(const Camera& c) {
   const std::string view = c.orthographicHeight ? fmt::format("orthographic height {:g}", *c.orthographicHeight)
                                                 : fmt::format("angle {:g}", c.angle);
-  return fmt::format("from {}, at {}, up {}, {}, {} x {}, aperture {:g}, focal {:g}", toText(c.from), toText(c.at),
-                     toText(c.up), view, c.width, c.height, c.aperture, c.focal);
+  const std::string shift = c.shift == glm::vec2(0) ? "" : fmt::format(", shift {:g} {:g}", c.shift.x, c.shift.y);
+  return fmt::format("from {}, at {}, up {}, {}, {} x {}, aperture {:g}, focal {:g}{}", toText(c.from), toText(c.at),
+                     toText(c.up), view, c.width, c.height, c.aperture, c.focal, shift);
 }
 
 // Returns "point light" for "pointLight".

@@ -36,6 +36,8 @@ struct Camera {
   /// Height of the view of an orthographic camera, > 0, in units of the scene; absent: a perspective camera. Its rays
   /// start on the plane through `from` that is parallel to the view plane.
   std::optional<float> orthographicHeight;
+  /// The centre of the view is right of `at` by x times the width of the view, and below it by y times the height.
+  glm::vec2 shift{0, 0};
 
   bool operator==(const Camera&) const = default;
 };

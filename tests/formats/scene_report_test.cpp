@@ -120,6 +120,11 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
   CHECK(toText(requests).find(
             "  max depth   7 requested\n  filter      tent requested\n  crop        1,2,30,4 requested\n") !=
         std::string::npos);
+  CHECK(json["camera"]["shift"] == nlohmann::json({0, 0}));
+  CHECK(toText(makeReport(loaded)).find("shift") == std::string::npos);
+  requesting.scene.camera->shift = {0.5f, -0.25f};
+  CHECK(toJson(makeReport(requesting))["camera"]["shift"] == nlohmann::json({0.5, -0.25}));
+  CHECK(toText(makeReport(requesting)).find(", shift 0.5 -0.25\n") != std::string::npos);
   const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
   CHECK(bare["requestedAccel"].is_null());
   CHECK(bare["camera"].is_null());

@@ -17,6 +17,10 @@ std::string cameraText(const scene::Camera& camera) {
   if (camera.orthographicHeight) {
     text += fmt::format("# orthographic, height {}: NFF has only perspective cameras\n", *camera.orthographicHeight);
   }
+  if (camera.shift != glm::vec2(0)) {
+    text += fmt::format("# shifted by {} {}: the axis of views of NFF is in their centre\n", camera.shift.x,
+                        camera.shift.y);
+  }
   text += "v\n" + vectorText("from", camera.from) + vectorText("at", camera.at) + vectorText("up", camera.up);
   text += fmt::format("angle {}\nhither {}\nresolution {} {}\n", camera.angle, camera.hither, camera.width,
                       camera.height);

@@ -236,8 +236,9 @@ void setSensor(const Object& sensor, const std::optional<scene::Bounds>& bounds,
   if (!(camera.angle > 0 && camera.angle < 180) || camera.at == camera.from) {
     throw PlacedError{sensor.place, "single precision cannot represent the view"};
   }
-  if (sensor.number("principal_point_offset_x", 0) != 0 || sensor.number("principal_point_offset_y", 0) != 0) {
-    report.deviate(sensor.place, "the offset of the principal point is not rendered", "leaves it out");
+  if (sensor.type == "perspective") {
+    camera.shift = glm::vec2(sensor.number("principal_point_offset_x", 0),
+                             sensor.number("principal_point_offset_y", 0));
   }
   sensor.ignore({"near_clip", "far_clip", "focus_distance", "shutter_open", "shutter_close"}, report);
   sensor.reportUnused(report);

@@ -57,9 +57,14 @@ void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, con
   const double height = viewHeight(camera, distance);
   const double width = height * across.pixels / down.pixels;
   const double lensRadius = camera.aperture * height / camera.height;
-  constants.cameraOrigin = glm::vec3(from);
+  glm::dvec3 origin = from, forward = -backward;
+  if (camera.shift != glm::vec2(0)) {
+    (camera.orthographicHeight ? origin : forward) += double{camera.shift.x} * width * u -
+                                                      double{camera.shift.y} * height * v;
+  }
+  constants.cameraOrigin = glm::vec3(origin);
   constants.pixelOriginX = across.origin;
-  constants.cameraForward = glm::vec3(-backward);
+  constants.cameraForward = glm::vec3(forward);
   constants.pixelOriginY = down.origin;
   constants.cameraRight = glm::vec3(width * u);
   constants.inversePixelsAcross = 1.0f / static_cast<float>(across.pixels);

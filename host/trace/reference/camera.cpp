@@ -30,6 +30,9 @@ CameraRays::CameraRays(const scene::Camera& camera, const render::ImageSettings&
                                         : 2 * length(forward_) * std::tan(camera.angle * kPi / 360);
   planeSize_ = {height * viewPixels_.x / viewPixels_.y, height};
   lensRadius_ = camera.aperture * height / camera.height;
+  if (camera.shift == glm::vec2(0)) return;
+  const dvec3 shift = double{camera.shift.x} * planeSize_.x * right_ - double{camera.shift.y} * planeSize_.y * upward_;
+  (isOrthographic_ ? eye_ : forward_) += shift;
 }
 
 double CameraRays::filterOffset(SampleNumbers& numbers, std::uint32_t dimension) const {

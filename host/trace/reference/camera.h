@@ -21,10 +21,10 @@ class CameraRays {
   bool jitters_;
   render::PixelFilter filter_;
   render::LensKind lens_;
-  dvec3 eye_;
+  dvec3 eye_;               ///< of an orthographic camera, from which rays start: the centre of the view
   dvec3 right_;             ///< unit, u of the specification
   dvec3 upward_;            ///< unit, v of the specification
-  dvec3 forward_;           ///< from the eye to the centre of the view plane
+  dvec3 forward_;           ///< from the eye to the centre of the view; of an orthographic camera, the direction
   glm::dvec2 viewPixels_;   ///< number of pixels that fill the view plane
   glm::dvec2 pixelOrigin_;  ///< within a pixel
   glm::dvec2 planeSize_;    ///< size of the view plane

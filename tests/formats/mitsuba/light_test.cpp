@@ -140,6 +140,10 @@ TEST_CASE("A perspective sensor has the vertical angle of every axis of its fiel
   CHECK(camera.width == 40);
   CHECK(camera.height == 20);
   CHECK(camera.aperture == 0);
+  CHECK(camera.shift == glm::vec2(0));
+  CHECK(cameraOf("perspective", R"(<float name="principal_point_offset_x" value="0.25"/>
+<float name="principal_point_offset_y" value="-0.5"/>)")
+            .shift == glm::vec2(0.25f, -0.5f));
 }
 
 // The radius of the lens in units of the scene is aperture * h / height, h = 2 d tan(angle/2).
@@ -172,8 +176,8 @@ TEST_CASE("Views that Candela does not have are errors, or replaced with a warni
   };
   check(sensor("perspective", R"(<transform name="to_world"><scale x="-1"/></transform>)"),
         "2:1: the transform of the sensor mirrors the picture");
-  check(sensor("perspective", R"(<float name="principal_point_offset_x" value="0.1"/>)"),
-        "the offset of the principal point is not rendered");
+  CHECK(xmlErrorsOf(sensor("orthographic", R"(<float name="principal_point_offset_x" value="0.1"/>)"))
+            .find("has no property \"principal_point_offset_x\"") != std::string::npos);
   check(R"(<sensor type="distant"/>)", "sensor \"distant\" is not rendered");
   CHECK(xmlErrorsOf(sensor("perspective", R"(<float name="fov" value="180"/>)")).find("between 0 and 180") !=
         std::string::npos);

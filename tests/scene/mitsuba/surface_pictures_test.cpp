@@ -81,6 +81,21 @@ TEST_CASE("Textures show the texels that their transforms and wrap modes select"
                             dvec3(0.75)});
 }
 
+TEST_CASE("A principal point that is not in the centre shows another part of the view plane") {
+  const dvec3 first = bytes(255, 51, 0), second = bytes(0, 204, 102), third = bytes(51, 102, 255);
+  const auto check = [](const char* x, const char* y, const dvec3& expected) {
+    checkRow("principal_point.xml", {expected}, {{}, {std::string("x=") + x, std::string("y=") + y}});
+  };
+  check("0", "0", first);
+  check("1", "0", second);
+  check("-1", "0", first);
+  check("0.5", "0", (first + second) / 2.0);
+  check("0", "-1", third);
+  check("0", "1", first);
+  check("0", "-0.25", 0.75 * first + 0.25 * third);
+  check("1", "-1", dvec3(1));
+}
+
 TEST_CASE("Materials reflect a light at normal incidence by their indices of refraction") {
   const dvec3 metal = normalReflectance({0.2, 0.9, 1.5}, {4, 2.5, 2});
   checkRow("reflections.xml",

@@ -48,11 +48,12 @@ TEST_CASE("moving the camera gives the film of a session prepared with the new c
   });
 }
 
-TEST_CASE("moving the camera may add or remove its lens", "[swiftshader-slow]") {
+TEST_CASE("moving the camera may add or remove its lens, and shift the view", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("cornell.p3f");
   scene::Camera lens = *scene.camera;
   lens.aperture = 10;
   lens.focal = 0.8f;
+  lens.shift = {0.25f, -0.125f};
   onAllRenderers([&](render::Renderer& renderer) { requireMovable(renderer, scene, lens, sessionSettings()); });
 }
 
