@@ -192,7 +192,9 @@ void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
   std::array<Numbers, 2> alphas{textures_.readNumbers(bsdf, "alpha_u", 0.1),
                                 textures_.readNumbers(bsdf, "alpha_v", 0.1)};
   putOnOneGrid(bsdf, alphas);
-  setMicrofacets(bsdf, alphas[0], alphas[1], {.values = {1}}, material);
+  const auto& [u, v] = alphas;
+  setMicrofacets(
+      bsdf, u, u.name + ' ' + v.name, [&](std::size_t i) { return glm::dvec3(u.at(i), v.at(i), 1); }, material);
 }
 
 void Bsdfs::putOnOneGrid(const Object& bsdf, std::span<Numbers> numbers) {
@@ -205,27 +207,30 @@ void Bsdfs::putOnOneGrid(const Object& bsdf, std::span<Numbers> numbers) {
 }
 
 // Numbers of textures are in two images, because the roughness and the anisotropy of a surface have each their own.
-void Bsdfs::setMicrofacets(const Object& bsdf, const Numbers& u, const Numbers& v, const Numbers& metalness,
-                           scene::Material& material) {
+void Bsdfs::setMicrofacets(const Object& bsdf, const Numbers& grid, const std::string& name,
+                           const std::function<glm::dvec3(std::size_t)>& texelAt, scene::Material& material) {
   scene::SurfaceParameters& surface = *material.surface;
-  if (!u.use) {
-    const Microfacets facets = microfacetsOf(u.values[0], v.values[0]);
+  if (!grid.use) {
+    const glm::dvec3 texel = texelAt(0);
+    const Microfacets facets = microfacetsOf(texel.x, texel.y);
     surface.roughness = facets.roughness;
     surface.anisotropy = facets.anisotropy;
     if (facets.areRougherAlongV) surface.anisotropyRotation = static_cast<float>(std::numbers::pi / 2);
     return;
   }
-  scene::TextureImage roughness{"roughness", u.width, u.height, {}}, anisotropy{"anisotropy", u.width, u.height, {}};
+  surface.roughness = 1;
+  scene::TextureImage roughness{"roughness", grid.width, grid.height, {}};
+  scene::TextureImage anisotropy{"anisotropy", grid.width, grid.height, {}};
   bool isAnisotropic = false;
-  for (std::size_t i = 0; i < u.values.size(); ++i) {
-    const Microfacets facets = microfacetsOf(u.values[i], v.values[i]);
-    const double metal = metalness.use ? metalness.values[i] : 1;
-    roughness.deepTexels.push_back(deepTexelOf({1, facets.roughness, metal}));
+  for (std::size_t i = 0; i < std::size_t{grid.width} * grid.height; ++i) {
+    const glm::dvec3 texel = texelAt(i);
+    const Microfacets facets = microfacetsOf(texel.x, texel.y);
+    roughness.deepTexels.push_back(deepTexelOf({1, facets.roughness, texel.z}));
     const glm::dvec2 direction = facets.areRougherAlongV ? glm::dvec2(0, 1) : glm::dvec2(1, 0);
     anisotropy.deepTexels.push_back(deepTexelOf({(direction + 1.0) / 2.0, facets.anisotropy}));
     isAnisotropic = isAnisotropic || facets.anisotropy > 0;
   }
-  if (isAnisotropic && !isUpright(*u.use)) {
+  if (isAnisotropic && !isUpright(*grid.use)) {
     report_.deviate(bsdf.place,
                     fmt::format("textures of the roughness of {} that \"to_uv\" turns are rendered without anisotropy",
                                 bsdf.description()),
@@ -233,11 +238,11 @@ void Bsdfs::setMicrofacets(const Object& bsdf, const Numbers& u, const Numbers& 
     isAnisotropic = false;
   }
   const auto setTexture = [&](TextureSlot slot, scene::TextureImage image) {
-    scene::TextureReference use = *u.use;
-    const std::string name = fmt::format("{} {} {} {} {} {} {} {} {}", image.name, u.name, v.name, metalness.name,
-                                         u.width, u.height, static_cast<int>(use.filter), static_cast<int>(use.wrapS),
-                                         static_cast<int>(use.wrapT));
-    use.image = textures_.storeMade(name, std::move(image));
+    scene::TextureReference use = *grid.use;
+    const std::string key = fmt::format("{} of {} {} by {} {} {} {}", image.name, name, grid.width, grid.height,
+                                        static_cast<int>(use.filter), static_cast<int>(use.wrapS),
+                                        static_cast<int>(use.wrapT));
+    use.image = textures_.storeMade(key, std::move(image));
     set(material, slot, use);
   };
   setTexture(TextureSlot::metallicRoughness, std::move(roughness));
@@ -353,19 +358,17 @@ Bsdf Bsdfs::principled(const Object& bsdf) {
                                  textures_.readNumbers(bsdf, "anisotropic", 0),
                                  textures_.readNumbers(bsdf, "metallic", 0)};
   putOnOneGrid(bsdf, numbers);
-  auto& [roughness, anisotropic, metallic] = numbers;
-  surface.metalness = metallic.use ? 1 : static_cast<float>(std::clamp(metallic.values[0], 0.0, 1.0));
-  Numbers u = roughness, v = roughness;
-  u.name += " anisotropic along " + anisotropic.name;
-  v.name += " anisotropic across " + anisotropic.name;
-  for (std::size_t i = 0; i < roughness.values.size(); ++i) {
-    const double alpha = roughness.values[i] * roughness.values[i];
-    const double aspect = std::sqrt(1 - 0.9 * std::clamp(anisotropic.values[i], 0.0, 1.0));
-    u.values[i] = std::max(kMinPrincipledAlpha, alpha / aspect);
-    v.values[i] = std::max(kMinPrincipledAlpha, alpha * aspect);
-  }
+  const auto& [roughness, anisotropic, metallic] = numbers;
+  surface.metalness = metallic.use ? 1 : static_cast<float>(std::clamp(metallic.at(0), 0.0, 1.0));
   result.material.surface = surface;
-  setMicrofacets(bsdf, u, v, metallic, result.material);
+  const std::string name = fmt::format("principled {} {} {}", roughness.name, anisotropic.name, metallic.name);
+  const auto texelAt = [&](std::size_t i) {
+    const double alpha = roughness.at(i) * roughness.at(i);
+    const double aspect = std::sqrt(1 - 0.9 * std::clamp(anisotropic.at(i), 0.0, 1.0));
+    return glm::dvec3(std::max(kMinPrincipledAlpha, alpha / aspect), std::max(kMinPrincipledAlpha, alpha * aspect),
+                      metallic.at(i));
+  };
+  setMicrofacets(bsdf, roughness, name, texelAt, result.material);
   result.isTwoSided = surface.transmissionWeight > 0;
   return result;
 }

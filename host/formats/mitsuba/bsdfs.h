@@ -1,9 +1,11 @@
 // BSDFs as materials.
 #pragma once
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <tuple>
 #include <vector>
 
@@ -73,8 +75,11 @@ class Bsdfs {
   void setNormalMap(const Texture& map, float scale, bool hasHeights, const Object& bsdf, Bsdf& result);
   void setRoughness(const Object& bsdf, scene::Material& material);
   void putOnOneGrid(const Object& bsdf, std::span<Numbers> numbers);
-  void setMicrofacets(const Object& bsdf, const Numbers& u, const Numbers& v, const Numbers& metalness,
-                      scene::Material& material);
+  /// Sets the roughness and the anisotropy of a surface, and the texture that both and the metalness have. `texelAt`
+  /// returns alpha along the tangent, alpha across it, and the metalness of a texel of `grid`, and `name` determines
+  /// all of them.
+  void setMicrofacets(const Object& bsdf, const Numbers& grid, const std::string& name,
+                      const std::function<glm::dvec3(std::size_t)>& texelAt, scene::Material& material);
   scene::Interface distribution(const Object& bsdf);
   glm::dvec3 constant(const Object& bsdf, const char* name, double absent, ColourUse use);
   Texture baseColour(const Object& bsdf, const char* name, double absent, Bsdf& result);

@@ -81,7 +81,8 @@ bool putOnOneGrid(std::span<Numbers> numbers) {
     height = std::max(height, each.height);
   }
   for (Numbers& each : numbers) {
-    if (each.width != width || each.height != height) each.values = resampled(each, use, width, height);
+    if (each.values.size() > 1 && (each.width != width || each.height != height))
+      each.values = resampled(each, use, width, height);
     each.width = width;
     each.height = height;
     each.use = use;

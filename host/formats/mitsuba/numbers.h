@@ -1,5 +1,6 @@
 // Numbers that textures give, before they are texels of a material.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
@@ -11,14 +12,16 @@
 
 namespace candela::mitsuba {
 
-/// One number, or one for each texel of an image, row by row from the top.
+/// One number for each texel of an image, row by row from the top.
 struct Numbers {
-  /// The use of the image that will have the numbers, whose index is not set; empty: one number.
+  /// The use of the image that will have the numbers, whose index is not set; empty: no image, but one number.
   std::optional<scene::TextureReference> use{};
   std::uint32_t width = 1;
   std::uint32_t height = 1;
-  std::vector<double> values{0};
-  std::string name{};  ///< that determines `values`
+  std::vector<double> values{0};  ///< one, which all texels have, or one for each texel
+  std::string name{};             ///< that determines `values`
+
+  double at(std::size_t texel) const { return values.size() == 1 ? values[0] : values[texel]; }
 };
 
 /// Gives all of them one use, width and height, namely the largest ones: images that are smaller are resampled at the
