@@ -19,8 +19,8 @@ using render::Extent;
 /// A rectangle of pixels; (0, 0) is the top left of the image.
 using render::Window;
 
-/// Samples per pixel, size, crop, depth, filter, structure and scale of the film, each of which the scene may state, and the choices
-/// of image, structure and execution, which it cannot.
+/// Samples per pixel, size, crop, depth, filter, structure and scale of the film, each of which the scene may state,
+/// and the choices of image, structure and execution, which it cannot.
 using render::RenderRequest;
 /// Three parts: `image` determines every bit of the film, `structure` and `execution` change none.
 using render::RenderSettings;
