@@ -10,6 +10,7 @@
 
 #include "host/base/hash.h"
 #include "host/base/run_on_threads.h"
+#include "host/base/statistics/welch.h"
 
 namespace candela::statistics {
 namespace {
@@ -21,6 +22,8 @@ constexpr double kMinDivisions = 1e4;
 constexpr double kMaxDivisions = 1e6;
 // Scores that are equal but for rounding are equal.
 constexpr double kTie = 1e-9;
+// The noise of a group counts as at least this fraction of that of the other one.
+constexpr double kMinNoiseRatio = 1e-6;
 
 // SplitMix64 with a state of its own for every division.
 class Random {
@@ -59,13 +62,17 @@ double squaredTOf(double halfSquaredZ, double nu) {
 // Returns P(|T| > t).
 double tailOf(double halfSquaredZ) { return std::erfc(std::sqrt(halfSquaredZ)); }
 
-// The number of divisions to evaluate, and whether these are all of `total`.
-void chooseDivisions(double total, double alpha, PermutationTest& test) {
-  const double wanted = std::clamp(std::ceil(kDivisionsPerLevel / alpha), kMinDivisions, kMaxDivisions);
-  test.isExhaustive = total <= wanted;
-  test.divisions = static_cast<std::uint64_t>(test.isExhaustive ? total : wanted);
-  test.minPValue = 1 / static_cast<double>(test.divisions);
-}
+// The number of divisions to evaluate, and whether these are all of them.
+struct DivisionCount {
+  DivisionCount(double total, double alpha) {
+    const double wanted = std::clamp(std::ceil(kDivisionsPerLevel / alpha), kMinDivisions, kMaxDivisions);
+    isExhaustive = total <= wanted;
+    evaluated = static_cast<std::uint64_t>(isExhaustive ? total : wanted);
+  }
+
+  std::uint64_t evaluated;
+  bool isExhaustive;
+};
 
 // Quantities are evaluated in groups of this size, whose sums stay in registers.
 constexpr std::size_t kLanes = 8;
@@ -78,35 +85,65 @@ double squaredT(double difference, double margin, double squaredError) {
   return excess > 0 ? square : 0;
 }
 
-// Rows from which the mean of all rows is subtracted, so that sums of squares do not cancel. Zeros follow the last
-// quantity, so that it can be read in groups.
+// Whether a division exchanges the values themselves, or the values in units of the noise of their group.
+enum class Exchanged : std::uint8_t { values, standardised };
+
+// The standard deviation of one quantity in each group; 1 if it is taken to be equal.
+struct Noise {
+  double a = 1, b = 1;
+};
+
+// Returns the measured noise. A single row has that of the other group. Both are positive.
+Noise noiseOf(const Rows& a, const Rows& b, std::size_t quantity) {
+  Noise noise{a.size() > 1 ? std::sqrt(summarise(column(a, quantity)).variance) : 0,
+              std::sqrt(summarise(column(b, quantity)).variance)};
+  if (a.size() == 1) noise.a = noise.b;
+  const double least = kMinNoiseRatio * std::max(noise.a, noise.b);
+  return least > 0 ? Noise{std::max(noise.a, least), std::max(noise.b, least)} : Noise{};
+}
+
+// The rows of both groups, from each of which a value is subtracted for each quantity so that their sum is 0 after the
+// division by the noise of their group. Sums of squares do not cancel. Zeros follow the last quantity, so that it can
+// be read in groups.
 class CentredRows {
  public:
-  CentredRows(const Rows& a, const Rows& b) : rows_(a) {
+  CentredRows(const Rows& a, const Rows& b, Exchanged exchanged) : countA_(a.size()), rows_(a) {
     rows_.insert(rows_.end(), b.begin(), b.end());
     const std::size_t quantities = rows_.front().size();
     squares_.assign(quantities + kLanes, 0);
-    for (std::size_t q = 0; q < quantities; ++q) centre(q);
+    noise_.resize(quantities + kLanes);
+    for (std::size_t q = 0; q < quantities; ++q) {
+      if (exchanged == Exchanged::standardised) noise_[q] = noiseOf(a, b, q);
+      centre(q);
+    }
     for (auto& row : rows_) row.resize(quantities + kLanes);
   }
 
   std::size_t count() const { return rows_.size(); }
   const double* row(std::size_t index) const { return rows_[index].data(); }
   double squares(std::size_t quantity) const { return squares_[quantity]; }
+  const Noise& noise(std::size_t quantity) const { return noise_[quantity]; }
 
  private:
   void centre(std::size_t q) {
-    double sum = 0;
-    for (const auto& row : rows_) sum += row[q];
-    const double mean = sum / static_cast<double>(rows_.size());
-    for (auto& row : rows_) {
-      row[q] -= mean;
-      squares_[q] += row[q] * row[q];
+    double sum = 0, weights = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      sum += rows_[i][q] / noiseOfRow(i, q);
+      weights += 1 / noiseOfRow(i, q);
+    }
+    const double mean = sum / weights;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      double& value = rows_[i][q];
+      value = (value - mean) / noiseOfRow(i, q);
+      squares_[q] += value * value;
     }
   }
+  double noiseOfRow(std::size_t row, std::size_t q) const { return row < countA_ ? noise_[q].a : noise_[q].b; }
 
+  std::size_t countA_;
   Rows rows_;
   std::vector<double> squares_;
+  std::vector<Noise> noise_;
 };
 
 // The quantities [first, first + count).
@@ -133,12 +170,14 @@ class Design {
 // The choice of the rows of the smaller group. Division 0 is that of the data.
 class GroupDivisions {
  public:
-  // If the groups have equal sizes, exchanging them changes nothing, and the first row stays where it is.
   GroupDivisions(std::size_t rows, std::size_t chosen, bool isExhaustive, std::uint64_t seed)
       : rows_(rows), chosen_(chosen), isExhaustive_(isExhaustive), seed_(seed) {}
 
-  static double total(std::size_t rows, std::size_t chosen) {
-    return 2 * chosen == rows ? binomial(rows - 1, chosen - 1) : binomial(rows, chosen);
+  // If the groups have equal sizes and exchange their values, exchanging the groups changes nothing, and the first row
+  // stays where it is. These divisions have the lowest ranks.
+  static double total(std::size_t rows, std::size_t chosen, Exchanged exchanged) {
+    const bool hasMirrorImages = 2 * chosen == rows && exchanged == Exchanged::values;
+    return hasMirrorImages ? binomial(rows - 1, chosen - 1) : binomial(rows, chosen);
   }
 
   Chosen rowsOf(std::uint64_t division) const {
@@ -181,8 +220,12 @@ class GroupDivisions {
   std::uint64_t seed_;
 };
 
-// Welch's statistic from the sums of the smaller group; those of all rows are 0. A group of a single row has the
-// variance of the other.
+// Welch's statistic from the sums of the smaller group, in units of the noise; those of all rows are 0. A group of a
+// single row has the variance of the other.
+//
+// The sums of both groups are opposite in every division, so that the errors of both means add up linearly in it. In
+// the data they are independent, and their squares add up. The difference is scaled so that its variance over all
+// divisions is that of the data; with equal noise, the factor is 1.
 class WelchSums {
  public:
   WelchSums(std::size_t countA, std::size_t countB)
@@ -193,25 +236,32 @@ class WelchSums {
         weightA_(countA > 1 ? inverseA_ / freedomOfA_ : 0),
         weightB_((inverseB_ + (countA > 1 ? 0 : inverseA_)) / freedomOfB_) {}
 
-  double squaredT(double sum, double squares, double allSquares, double margin) const {
-    const double error = errorOfA(sum, squares) + errorOfB(sum, allSquares - squares);
-    return statistics::squaredT(sum * (inverseA_ + inverseB_), margin, error);
+  // Returns the difference of the means for a sum of 1.
+  double differenceOf(const Noise& noise) const {
+    if (noise.a == noise.b) return noise.a * (inverseA_ + inverseB_);
+    return std::sqrt((noise.a * noise.a * inverseA_ + noise.b * noise.b * inverseB_) * (inverseA_ + inverseB_));
+  }
+
+  double squaredT(double difference, double sum, double squares, double allSquares, const Noise& noise,
+                  double margin) const {
+    const double error = errorOfA(sum, squares, noise) + errorOfB(sum, allSquares - squares, noise);
+    return statistics::squaredT(difference * sum, margin, error);
   }
 
   // Returns the degrees of freedom of Welch and Satterthwaite.
-  double freedom(double sum, double squares, double allSquares) const {
-    const double a = errorOfA(sum, squares), b = errorOfB(sum, allSquares - squares);
+  double freedom(double sum, double squares, double allSquares, const Noise& noise) const {
+    const double a = errorOfA(sum, squares, noise), b = errorOfB(sum, allSquares - squares, noise);
     const double uncertainty = (freedomOfA_ > 0 ? a * a / freedomOfA_ : 0) + b * b / freedomOfB_;
     return uncertainty > 0 ? std::min((a + b) * (a + b) / uncertainty, maxFreedom()) : maxFreedom();
   }
   double maxFreedom() const { return freedomOfA_ + freedomOfB_; }
 
  private:
-  double errorOfA(double sum, double squares) const {
-    return std::max(0.0, squares - sum * sum * inverseA_) * weightA_;
+  double errorOfA(double sum, double squares, const Noise& noise) const {
+    return std::max(0.0, squares - sum * sum * inverseA_) * weightA_ * (noise.a * noise.a);
   }
-  double errorOfB(double sum, double squares) const {
-    return std::max(0.0, squares - sum * sum * inverseB_) * weightB_;
+  double errorOfB(double sum, double squares, const Noise& noise) const {
+    return std::max(0.0, squares - sum * sum * inverseB_) * weightB_ * (noise.b * noise.b);
   }
 
   double inverseA_, inverseB_;
@@ -246,71 +296,74 @@ class SignDivisions {
 
 class Evaluation {
  public:
-  Evaluation(const PermutationPlan& plan, const Design& design, PermutationTest& test)
-      : plan_(plan), design_(design), test_(test) {
+  Evaluation(const PermutationPlan& plan, PermutationTest& test) : plan_(plan), test_(test) {
     std::size_t first = 0;
     for (const std::size_t count : plan.families) {
       families_.push_back({first, count});
       first += count;
     }
+    test_.pValue = 0;
+    test_.pValues.assign(plan.margins.size(), 0);
+    test_.criticalTails.assign(plan.families.size(), 1);
   }
 
-  void run() {
-    evaluateData();
-    std::vector<double> scores(test_.divisions);
+  // The first division of the design is that of the data.
+  void evaluateData(const Design& design) {
+    const Chosen chosen = design.rowsOf(0);
+    for (const Range& family : families_) {
+      std::vector<double> squares(family.count + kLanes);
+      design.squaredTs(chosen, family, squares.data());
+      for (std::size_t i = 0; i < family.count; ++i) {
+        test_.t.push_back(std::sqrt(squares[i]));
+        test_.tails.push_back(tailOf(halfSquaredZ(squares[i], design.freedom(chosen, family.first + i))));
+      }
+    }
+    data_ = scoreOf(design, 0);
+  }
+
+  // The p-values become at least those of these divisions, among which that of the data counts.
+  void compareWith(const Design& design, std::uint64_t divisions) {
+    std::vector<double> scores(divisions, data_);
     forEachBlock(plan_.threads, scores.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t division = begin; division < end; ++division) scores[division] = scoreOf(division);
+      for (std::size_t i = std::max<std::size_t>(begin, 1); i < end; ++i) scores[i] = scoreOf(design, i);
     });
-    const double data = scores.front();
     std::sort(scores.begin() + 1, scores.end(), std::greater<>());  // the others, which define the critical score
-    test_.criticalTails = criticalTailsOf(scores);
+    lowerCriticalTails(scores);
     std::sort(scores.begin(), scores.end(), std::greater<>());
-    test_.pValue = fractionFrom(scores, data);
+    test_.pValue = std::max(test_.pValue, fractionFrom(scores, data_));
     for (const Range& family : families_) {
       for (std::size_t q = family.first; q < family.first + family.count; ++q) {
-        test_.pValues.push_back(fractionFrom(scores, score(family.count, test_.tails[q])));
+        test_.pValues[q] = std::max(test_.pValues[q], fractionFrom(scores, score(family.count, test_.tails[q])));
       }
     }
   }
 
  private:
-  void evaluateData() {
-    const Chosen chosen = design_.rowsOf(0);
-    for (const Range& family : families_) {
-      std::vector<double> squares(family.count + kLanes);
-      design_.squaredTs(chosen, family, squares.data());
-      for (std::size_t i = 0; i < family.count; ++i) {
-        test_.t.push_back(std::sqrt(squares[i]));
-        test_.tails.push_back(tailOf(halfSquaredZ(squares[i], design_.freedom(chosen, family.first + i))));
-      }
-    }
-  }
-
   static double score(std::size_t count, double tail) { return -std::log(static_cast<double>(count) * tail); }
 
-  double scoreOf(std::uint64_t division) const {
-    const Chosen chosen = design_.rowsOf(division);
+  double scoreOf(const Design& design, std::uint64_t division) const {
+    const Chosen chosen = design.rowsOf(division);
     double largest = -kInfinity;
     for (const Range& family : families_) {
-      largest = std::max(largest, score(family.count, tailOf(largestHalfSquaredZ(chosen, family))));
+      largest = std::max(largest, score(family.count, tailOf(largestHalfSquaredZ(design, chosen, family))));
     }
     return largest;
   }
 
   // The degrees of freedom are calculated only for quantities that would be the largest with the most possible ones.
-  double largestHalfSquaredZ(const Chosen& chosen, const Range& family) const {
+  static double largestHalfSquaredZ(const Design& design, const Chosen& chosen, const Range& family) {
     constexpr std::size_t kBlock = 1024;  // values of a block stay in the caches
     std::array<double, kBlock + kLanes> squares;
     double largest = 0, bound = 0;  // of z^2 / 2, and the t^2 that it needs at least
     for (std::size_t i = 0; i < family.count; i += kBlock) {
       const Range range{family.first + i, std::min(kBlock, family.count - i)};
-      design_.squaredTs(chosen, range, squares.data());
+      design.squaredTs(chosen, range, squares.data());
       for (std::size_t q = 0; q < range.count; ++q) {
         if (squares[q] <= bound) continue;
-        const double candidate = halfSquaredZ(squares[q], design_.freedom(chosen, range.first + q));
+        const double candidate = halfSquaredZ(squares[q], design.freedom(chosen, range.first + q));
         if (candidate <= largest) continue;
         largest = candidate;
-        bound = squaredTOf(largest, design_.maxFreedom());
+        bound = squaredTOf(largest, design.maxFreedom());
       }
     }
     return largest;
@@ -325,20 +378,19 @@ class Evaluation {
 
   // The data would be significant with a score above the k-th largest of the others, where k divisions are a fraction
   // alpha of all. `scores` descend after the first, which is that of the data.
-  std::vector<double> criticalTailsOf(const std::vector<double>& scores) const {
+  void lowerCriticalTails(const std::vector<double>& scores) {
     const auto k = static_cast<std::size_t>(plan_.alpha * static_cast<double>(scores.size()) + kTie);
-    std::vector<double> tails;
-    for (const Range& family : families_) {
-      const double tail = k == 0 || k >= scores.size() ? 0 : std::exp(-scores[k]) / static_cast<double>(family.count);
-      tails.push_back(std::min(tail, 1.0));
+    for (std::size_t i = 0; i < families_.size(); ++i) {
+      const double count = static_cast<double>(families_[i].count);
+      const double tail = k == 0 || k >= scores.size() ? 0 : std::exp(-scores[k]) / count;
+      test_.criticalTails[i] = std::min(tail, test_.criticalTails[i]);
     }
-    return tails;
   }
 
   const PermutationPlan& plan_;
-  const Design& design_;
   PermutationTest& test_;
   std::vector<Range> families_;
+  double data_ = 0;  ///< the score of the data
 };
 
 std::vector<double> padded(std::vector<double> values) {
@@ -358,7 +410,9 @@ class GroupDesign final : public Design {
       : rows_(std::move(rows)),
         welch_(chosen, rows_.count() - chosen),
         margins_(padded(plan.margins)),
-        divisions_(rows_.count(), chosen, isExhaustive, plan.seed) {}
+        divisions_(rows_.count(), chosen, isExhaustive, plan.seed) {
+    for (std::size_t q = 0; q < margins_.size(); ++q) differences_.push_back(welch_.differenceOf(rows_.noise(q)));
+  }
 
   Chosen rowsOf(std::uint64_t division) const override { return divisions_.rowsOf(division); }
 
@@ -374,7 +428,8 @@ class GroupDesign final : public Design {
         }
       }
       for (std::size_t lane = 0; lane < kLanes; ++lane) {
-        squaredTs[i + lane] = welch_.squaredT(sums[lane], squares[lane], rows_.squares(q + lane), margins_[q + lane]);
+        squaredTs[i + lane] = welch_.squaredT(differences_[q + lane], sums[lane], squares[lane],
+                                              rows_.squares(q + lane), rows_.noise(q + lane), margins_[q + lane]);
       }
     }
   }
@@ -386,7 +441,7 @@ class GroupDesign final : public Design {
       sum += value;
       squares += value * value;
     }
-    return welch_.freedom(sum, squares, rows_.squares(quantity));
+    return welch_.freedom(sum, squares, rows_.squares(quantity), rows_.noise(quantity));
   }
 
   double maxFreedom() const override { return welch_.maxFreedom(); }
@@ -394,7 +449,7 @@ class GroupDesign final : public Design {
  private:
   CentredRows rows_;
   WelchSums welch_;
-  std::vector<double> margins_;
+  std::vector<double> margins_, differences_;
   GroupDivisions divisions_;
 };
 
@@ -443,6 +498,12 @@ class PairDesign final : public Design {
   SignDivisions divisions_;
 };
 
+void noteDivisions(const DivisionCount& count, PermutationTest& test) {
+  test.divisions = count.evaluated;
+  test.isExhaustive = count.isExhaustive;
+  test.minPValue = 1 / static_cast<double>(count.evaluated);
+}
+
 // Without variance, nothing can be tested.
 PermutationTest untested(const PermutationPlan& plan) {
   PermutationTest test;
@@ -463,20 +524,32 @@ std::vector<double> column(const Rows& rows, std::size_t quantity) {
 
 PermutationTest testGroups(const Rows& a, const Rows& b, const PermutationPlan& plan) {
   if (a.size() + b.size() < 3) return untested(plan);
-  const std::size_t chosen = std::min(a.size(), b.size());
+  const Rows& smaller = a.size() <= b.size() ? a : b;
+  const Rows& larger = a.size() <= b.size() ? b : a;
+  const std::size_t chosen = smaller.size();
   PermutationTest test;
-  chooseDivisions(GroupDivisions::total(a.size() + b.size(), chosen), plan.alpha, test);
-  const GroupDesign design(a.size() <= b.size() ? CentredRows(a, b) : CentredRows(b, a), chosen, plan,
-                           test.isExhaustive);
-  Evaluation(plan, design, test).run();
+  Evaluation evaluation(plan, test);
+  for (const Exchanged exchanged : {Exchanged::values, Exchanged::standardised}) {
+    const DivisionCount count(GroupDivisions::total(a.size() + b.size(), chosen, exchanged), plan.alpha);
+    const GroupDesign design(CentredRows(smaller, larger, exchanged), chosen, plan, count.isExhaustive);
+    if (exchanged == Exchanged::values) {
+      noteDivisions(count, test);
+      evaluation.evaluateData(design);
+    }
+    evaluation.compareWith(design, count.evaluated);
+  }
   return test;
 }
 
 PermutationTest testPairs(const Rows& differences, const PermutationPlan& plan) {
   if (differences.size() < 2) return untested(plan);
   PermutationTest test;
-  chooseDivisions(SignDivisions::total(differences.size()), plan.alpha, test);
-  Evaluation(plan, PairDesign(differences, plan, test.isExhaustive), test).run();
+  const DivisionCount count(SignDivisions::total(differences.size()), plan.alpha);
+  noteDivisions(count, test);
+  const PairDesign design(differences, plan, count.isExhaustive);
+  Evaluation evaluation(plan, test);
+  evaluation.evaluateData(design);
+  evaluation.compareWith(design, count.evaluated);
   return test;
 }
 

@@ -14,9 +14,11 @@
 // Wallace's approximation. These probabilities only make quantities and families comparable: an image mean does not
 // have to reach what the maximum of thousands of tiles reaches by chance. They have no influence on the level, which
 // the permutation guarantees. The maximum of the score over quantities adjusts their p-values for all of them together
-// (Westfall and Young 1993). Since the statistics are studentised, the test is also
-// asymptotically valid for groups of equal means and unequal variances (Janssen, Statistics and Probability Letters 36,
-// 1997). With few rows, unequal variances can double the rate of false alarms (docs/comparing-renderers.md).
+// (Westfall and Young 1993). Since the statistics are studentised, the test is also asymptotically valid for groups of
+// equal means and unequal variances (Janssen, Statistics and Probability Letters 36, 1997). With few rows, unequal
+// variances can multiply the rate of false alarms. The score of the data is therefore also compared with those of
+// divisions that exchange values in units of the standard deviation of their group, and the larger p-value counts. It
+// is never smaller than the exact one. docs/comparing-renderers.md defines both, and has the measured rates.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -43,7 +45,7 @@ struct PermutationPlan {
 };
 
 struct PermutationTest {
-  std::uint64_t divisions = 1;  ///< that were evaluated, with that of the data
+  std::uint64_t divisions = 1;  ///< of the values that were evaluated, with that of the data
   bool isExhaustive = true;     ///< all of them
   double minPValue = 1;         ///< the smallest p-value that these numbers of rows, and of divisions, can have
   double pValue = 1;            ///< of all quantities together

@@ -17,7 +17,8 @@ enum class Tail : std::uint8_t { exponential, fireflies, pareto };
 
 struct MadeOptions {
   std::uint32_t side = 32;
-  std::uint32_t samples = 2;  ///< per pixel
+  std::uint32_t samples = 2;         ///< per pixel
+  std::uint32_t samplesOnRight = 0;  ///< per pixel of the right half; 0: `samples`
   Tail tail = Tail::exponential;
   bool isSplatted = false;  ///< a Gaussian filter of standard deviation 0.5 and radius 2 pixels, else a box
   double factor = 1;        ///< of all pixels
@@ -33,7 +34,7 @@ class MadeRender {
         weights_(std::size_t{options.side} * options.side) {
     for (std::uint32_t y = 0; y < options.side; ++y) {
       for (std::uint32_t x = 0; x < options.side; ++x) {
-        for (std::uint32_t i = 0; i < options.samples; ++i) addSample(x, y);
+        for (std::uint32_t i = 0; i < samplesAt(x); ++i) addSample(x, y);
       }
     }
   }
@@ -61,6 +62,10 @@ class MadeRender {
   }
 
  private:
+  std::uint32_t samplesAt(std::uint32_t x) const {
+    return options_.samplesOnRight > 0 && x >= options_.side / 2 ? options_.samplesOnRight : options_.samples;
+  }
+
   double noise() {
     switch (options_.tail) {
       case Tail::pareto:

@@ -38,9 +38,10 @@ TEST_CASE("the permitted numbers of alarms are the 99 % quantiles of the binomia
   CHECK(permittedAlarms(0.01) == 18);
 }
 
-TEST_CASE("sets of equal light give no more alarms than the level, for any tails and correlated pixels", "[slow]") {
+TEST_CASE("sets of equal light give no more alarms than the level, for any tails, correlated pixels and unequal noise",
+          "[slow]") {
   for (const SetCase& one : setCases()) {
-    if (!one.hasEqualNoise) continue;
+    if (!one.isNoiseShown) continue;
     int alarmsOf5 = 0, alarmsOf1 = 0;
     for (std::uint32_t run = 0; run < kCalibrationRuns; ++run) {
       const double pValue = testPictures(one, picturesOf(one, run), 0.01).pValue;
@@ -50,7 +51,7 @@ TEST_CASE("sets of equal light give no more alarms than the level, for any tails
     INFO(one.name << ": " << alarmsOf5 << " and " << alarmsOf1);
     CHECK(alarmsOf5 <= permittedAlarms(0.05));
     CHECK(alarmsOf1 <= permittedAlarms(0.01));
-    CHECK(alarmsOf5 >= 25);  // the test is no stricter than it has to be
+    CHECK(alarmsOf5 >= one.leastAlarms);
   }
 }
 

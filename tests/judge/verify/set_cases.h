@@ -12,21 +12,41 @@ struct SetCase {
   std::size_t countA, countB;
   MadeOptions a, b;
   SetDesign design = SetDesign::independent;  ///< paired: half of each render is common to its pair
-  bool hasEqualNoise = true;                  ///< else the level is not exact
+  int leastAlarms = 25;                       ///< of 1,000 at the level 0.05, so that the test is not too strict
+  bool isNoiseShown = true;                   ///< by the renders of each set; else the level does not hold
 };
 
 inline std::vector<SetCase> setCases() {
+  constexpr auto kIndependent = SetDesign::independent;
   const MadeOptions light{}, heavy{.tail = Tail::pareto, .isSplatted = true};
   const MadeOptions fireflies{.tail = Tail::fireflies, .isSplatted = true};
   const MadeOptions splatted{.isSplatted = true}, finer{.samples = 8, .isSplatted = true};
+  const MadeOptions finest{.samples = 32, .isSplatted = true};
+  const MadeOptions finerHeavy{.samples = 8, .tail = Tail::pareto, .isSplatted = true};
+  const MadeOptions finerFireflies{.samples = 8, .tail = Tail::fireflies, .isSplatted = true};
+  const MadeOptions finerLeft{.samples = 8, .samplesOnRight = 2, .isSplatted = true};
+  const MadeOptions finerRight{.samples = 2, .samplesOnRight = 8, .isSplatted = true};
+  // Outliers of one set also look like unequal noise, which makes the test stricter.
+  constexpr int kFew = 10;
   return {{"6 and 6, exponential, box filter", 6, 6, light, light},
           {"6 and 6, exponential, splatted", 6, 6, splatted, splatted},
-          {"6 and 6, infinite variance, splatted", 6, 6, heavy, heavy},
-          {"5 and 9, fireflies, splatted", 5, 9, fireflies, fireflies},
+          {"6 and 6, infinite variance, splatted", 6, 6, heavy, heavy, kIndependent, kFew},
+          {"5 and 9, fireflies, splatted", 5, 9, fireflies, fireflies, kIndependent, kFew},
           {"1 and 19, fireflies, splatted", 1, 19, fireflies, fireflies},
           {"10 pairs, infinite variance, splatted", 10, 10, heavy, heavy, SetDesign::paired},
-          {"8 and 8, of 8 and 2 samples, splatted", 8, 8, finer, splatted, SetDesign::independent, false},
-          {"6 and 18, of 2 and 8 samples, splatted", 6, 18, splatted, finer, SetDesign::independent, false}};
+          {"8 and 8, of 8 and 2 samples, splatted", 8, 8, finer, splatted},
+          {"8 and 8, of 32 and 2 samples, splatted", 8, 8, finest, splatted},
+          {"10 and 10, of 8 and 2 samples, splatted", 10, 10, finer, splatted},
+          {"6 and 18, of 2 and 8 samples, splatted", 6, 18, splatted, finer},
+          {"6 and 18, of 8 and 2 samples, splatted", 6, 18, finer, splatted},
+          {"5 and 9, of 2 and 8 samples, splatted", 5, 9, splatted, finer},
+          {"5 and 9, of 2 and 32 samples, splatted", 5, 9, splatted, finest},
+          {"5 and 9, of 32 and 2 samples, splatted", 5, 9, finest, splatted},
+          {"8 and 8, of 8 and 2 samples in one half, 2 and 8 in the other, splatted", 8, 8, finerLeft, finerRight},
+          {"8 and 8, of 8 and 2 samples, infinite variance, splatted", 8, 8, finerHeavy, heavy},
+          {"8 and 8, of 8 and 2 samples, fireflies, splatted", 8, 8, finerFireflies, fireflies},
+          {"5 and 9, of 2 and 8 samples, fireflies, splatted", 5, 9, fireflies, finerFireflies, kIndependent, 0, false},
+          {"1 and 19, of 2 and 8 samples, splatted", 1, 19, splatted, finer, kIndependent, 0, false}};
 }
 
 struct SetPictures {
