@@ -24,7 +24,8 @@ json toJson(const Camera& camera) {
               {"size", fmt::format("{}x{}", camera.width, camera.height)},
               {"aperture", camera.aperture},
               {"focal", camera.focal},
-              {"shift", {camera.shift.x, camera.shift.y}}};
+              {"shift", {camera.shift.x, camera.shift.y}},
+              {"isMirrored", camera.isMirrored}};
   if (camera.orthographicHeight) {
     object.erase("angle");
     object["orthographicHeight"] = *camera.orthographicHeight;
@@ -50,8 +51,9 @@ std::string toText(const Camera& c) {
   const std::string view = c.orthographicHeight ? fmt::format("orthographic height {:g}", *c.orthographicHeight)
                                                 : fmt::format("angle {:g}", c.angle);
   const std::string shift = c.shift == glm::vec2(0) ? "" : fmt::format(", shift {:g} {:g}", c.shift.x, c.shift.y);
-  return fmt::format("from {}, at {}, up {}, {}, {} x {}, aperture {:g}, focal {:g}{}", toText(c.from), toText(c.at),
-                     toText(c.up), view, c.width, c.height, c.aperture, c.focal, shift);
+  return fmt::format("from {}, at {}, up {}, {}, {} x {}, aperture {:g}, focal {:g}{}{}", toText(c.from), toText(c.at),
+                     toText(c.up), view, c.width, c.height, c.aperture, c.focal, shift,
+                     c.isMirrored ? ", mirrored" : "");
 }
 
 // Returns "point light" for "pointLight".

@@ -38,6 +38,7 @@ struct Camera {
   std::optional<float> orthographicHeight;
   /// The centre of the view is right of `at` by x times the width of the view, and below it by y times the height.
   glm::vec2 shift{0, 0};
+  bool isMirrored = false;  ///< left and right of the picture are exchanged, also in `shift`
 
   bool operator==(const Camera&) const = default;
 };

@@ -21,6 +21,7 @@ std::string cameraText(const scene::Camera& camera) {
     text += fmt::format("# shifted by {} {}: the axis of views of NFF is in their centre\n", camera.shift.x,
                         camera.shift.y);
   }
+  if (camera.isMirrored) text += "# mirrored: views of NFF are not\n";
   text += "v\n" + vectorText("from", camera.from) + vectorText("at", camera.at) + vectorText("up", camera.up);
   text += fmt::format("angle {}\nhither {}\nresolution {} {}\n", camera.angle, camera.hither, camera.width,
                       camera.height);

@@ -222,10 +222,7 @@ void setSensor(const Object& sensor, const std::optional<scene::Bounds>& bounds,
   setFilm(sensor.onlyNested("film"), report, camera, scene);
   setSampler(sensor.onlyNested("sampler"), report, scene);
   const Frame frame = frameOf(sensor);
-  if (glm::dot(glm::cross(frame.left, frame.up), frame.forward) < 0) {
-    report.deviate(sensor.place, "the transform of the sensor mirrors the picture, which is not rendered",
-                   "renders it without");
-  }
+  camera.isMirrored = glm::dot(glm::cross(frame.left, frame.up), frame.forward) < 0;
   camera.from = glm::vec3(frame.origin);
   camera.up = glm::vec3(glm::normalize(frame.up));
   if (sensor.type == "orthographic") {

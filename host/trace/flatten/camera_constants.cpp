@@ -54,23 +54,24 @@ void setCamera(gpu::RenderConstants& constants, const scene::Camera& camera, con
   const glm::dvec3 n = backward / distance;
   const glm::dvec3 u = glm::normalize(glm::cross(glm::dvec3(camera.up), n));
   const glm::dvec3 v = glm::cross(n, u);
+  const glm::dvec3 right = camera.isMirrored ? -u : u;
   const double height = viewHeight(camera, distance);
   const double width = height * across.pixels / down.pixels;
   const double lensRadius = camera.aperture * height / camera.height;
   glm::dvec3 origin = from, forward = -backward;
   if (camera.shift != glm::vec2(0)) {
-    (camera.orthographicHeight ? origin : forward) += double{camera.shift.x} * width * u -
+    (camera.orthographicHeight ? origin : forward) += double{camera.shift.x} * width * right -
                                                       double{camera.shift.y} * height * v;
   }
   constants.cameraOrigin = glm::vec3(origin);
   constants.pixelOriginX = across.origin;
   constants.cameraForward = glm::vec3(forward);
   constants.pixelOriginY = down.origin;
-  constants.cameraRight = glm::vec3(width * u);
+  constants.cameraRight = glm::vec3(width * right);
   constants.inversePixelsAcross = 1.0f / static_cast<float>(across.pixels);
   constants.cameraUp = glm::vec3(height * v);
   constants.inversePixelsDown = 1.0f / static_cast<float>(down.pixels);
-  constants.lensRight = glm::vec3(lensRadius * u);
+  constants.lensRight = glm::vec3(lensRadius * right);
   constants.inverseFocal = static_cast<float>(1.0 / camera.focal);
   constants.lensUp = glm::vec3(lensRadius * v);
   constants.aoDistance = aoDistance(camera, image);

@@ -26,6 +26,7 @@ CameraRays::CameraRays(const scene::Camera& camera, const render::ImageSettings&
   const dvec3 backward = normalize(-forward_);
   right_ = normalize(cross(dvec3(camera.up), backward));
   upward_ = cross(backward, right_);
+  if (camera.isMirrored) right_ = -right_;
   const double height = isOrthographic_ ? double{*camera.orthographicHeight}
                                         : 2 * length(forward_) * std::tan(camera.angle * kPi / 360);
   planeSize_ = {height * viewPixels_.x / viewPixels_.y, height};

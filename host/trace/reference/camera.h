@@ -22,7 +22,7 @@ class CameraRays {
   render::PixelFilter filter_;
   render::LensKind lens_;
   dvec3 eye_;               ///< of an orthographic camera, from which rays start: the centre of the view
-  dvec3 right_;             ///< unit, u of the specification
+  dvec3 right_;             ///< unit, u of the specification, or -u if the camera mirrors
   dvec3 upward_;            ///< unit, v of the specification
   dvec3 forward_;           ///< from the eye to the centre of the view; of an orthographic camera, the direction
   glm::dvec2 viewPixels_;   ///< number of pixels that fill the view plane

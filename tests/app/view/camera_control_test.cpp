@@ -91,6 +91,7 @@ TEST_CASE("a scene file reads the text of a camera, to the bit") {
   camera.aperture = 2.5f;
   camera.focal = 1.25f;
   camera.shift = {0.25f, -0.5f};
+  camera.isMirrored = true;
   const std::string text = view::cameraText(camera) + "f 1 1 1 1 0 0 0 1\ns 0 0 0 1\n";
   const scene::Camera read = *formats::loadScene(scene::SceneFile{text, "view.nff", "."}).scene.camera;
   CHECK(read.from == camera.from);
@@ -102,4 +103,5 @@ TEST_CASE("a scene file reads the text of a camera, to the bit") {
   CHECK(read.aperture == camera.aperture);
   CHECK(read.focal == camera.focal);
   CHECK(text.starts_with("# shifted by 0.25 -0.5: "));
+  CHECK(text.find("\n# mirrored: ") != std::string::npos);
 }

@@ -81,10 +81,12 @@ TEST_CASE("Textures show the texels that their transforms and wrap modes select"
                             dvec3(0.75)});
 }
 
-TEST_CASE("A principal point that is not in the centre shows another part of the view plane") {
+TEST_CASE(
+    "A principal point that is not in the centre, and a sensor that mirrors, show another part of the view plane") {
   const dvec3 first = bytes(255, 51, 0), second = bytes(0, 204, 102), third = bytes(51, 102, 255);
-  const auto check = [](const char* x, const char* y, const dvec3& expected) {
-    checkRow("principal_point.xml", {expected}, {{}, {std::string("x=") + x, std::string("y=") + y}});
+  const auto check = [](const char* x, const char* y, const dvec3& expected, const char* mirror = "1") {
+    checkRow("principal_point.xml", {expected},
+             {{}, {std::string("x=") + x, std::string("y=") + y, std::string("mirror=") + mirror}});
   };
   check("0", "0", first);
   check("1", "0", second);
@@ -94,6 +96,9 @@ TEST_CASE("A principal point that is not in the centre shows another part of the
   check("0", "1", first);
   check("0", "-0.25", 0.75 * first + 0.25 * third);
   check("1", "-1", dvec3(1));
+  check("1", "0", first, "-1");
+  check("-1", "0", second, "-1");
+  check("-0.25", "-1", 0.75 * third + 0.25, "-1");
 }
 
 TEST_CASE("Materials reflect a light at normal incidence by their indices of refraction") {

@@ -143,25 +143,27 @@ TEST_CASE("the image of an edge is the pixel filter's distribution function, hor
   }
 }
 
-TEST_CASE("a shift moves the image of an edge by parts of the width and the height, in perspective and parallel views",
-          "[swiftshader-slow]") {
+TEST_CASE(
+    "a shift moves the image of an edge by parts of the width and the height, in all views and their mirror images",
+    "[swiftshader-slow]") {
   constexpr std::uint32_t kSide = 8;
   constexpr double kDistance = 2;
   const dvec2 edge(3.3, 4.6), shift(0.25, -0.15);  // in pixels from the upper left corner, and in parts of the picture
-  for (const bool isParallel : {false, true}) {
+  for (const auto& [isParallel, isMirrored] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
     SceneBuilder b = cameraOf(40);
+    b.scene.camera->isMirrored = isMirrored;
     b.scene.camera->shift = glm::vec2(shift);
     double height = 2 * kDistance * std::tan(40 * std::numbers::pi / 360);
     if (isParallel) b.scene.camera->orthographicHeight = static_cast<float>(height = 3);
     const auto onPlane = [&](const dvec2& raster) {
       const dvec2 seen = raster / double{kSide} + shift;
-      return height * dvec2(seen.x - 0.5, 0.5 - seen.y);
+      return height * dvec2((seen.x - 0.5) * (isMirrored ? -1 : 1), 0.5 - seen.y);
     };
     addRectangle(b, onPlane({-8, edge.y}), onPlane({edge.x, -8}), kDistance);
     const image::Film film = renderScene(b.scene, directView(kSide, 4096)).film;
     for (std::uint32_t y = 0; y < kSide; ++y) {
       for (std::uint32_t x = 0; x < kSide; ++x) {
-        CAPTURE(isParallel, x, y);
+        CAPTURE(isParallel, isMirrored, x, y);
         CHECK(film.mean(x, y).x == Approx(boxBelow(edge.x - x - 0.5) * boxBelow(edge.y - y - 0.5)).margin(3e-3));
       }
     }

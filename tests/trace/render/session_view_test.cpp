@@ -57,10 +57,11 @@ TEST_CASE("moving the camera may add or remove its lens, and shift the view", "[
   onAllRenderers([&](render::Renderer& renderer) { requireMovable(renderer, scene, lens, sessionSettings()); });
 }
 
-TEST_CASE("moving the camera may make its rays parallel, and back", "[swiftshader-slow]") {
+TEST_CASE("moving the camera may make its rays parallel, mirror the view, and back", "[swiftshader-slow]") {
   const scene::Scene scene = loadTestScene("balls.p3f");
   scene::Camera parallel = *scene.camera;
   parallel.orthographicHeight = 5.0f;
+  parallel.isMirrored = true;
   scene::Scene begun = scene;
   begun.camera = parallel;
   render::RenderSettings wavefront = sessionSettings();
