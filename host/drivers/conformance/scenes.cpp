@@ -23,19 +23,66 @@
 namespace candela::conformance {
 namespace {
 
+void keepScene(scene::Scene&) {}
+
 struct MaterialScene {
   std::string_view name;
   generate::MaterialFactors factors{};
-  bool hasTexture = false;            ///< the floor has an image as its base colour
-  std::string_view environment = {};  ///< as --env; empty: the default light of glTF
+  std::string_view floorTexture = {};         ///< the member of the floor's material that is an image; empty: none
+  void (*change)(scene::Scene&) = keepScene;  ///< makes what glTF does not state
 };
 
+// The material of the ball, and that of the floor.
+constexpr std::size_t kBall = 0, kFloor = 1;
+
+constexpr std::string_view kNormalTexture = "normalTexture";
 constexpr std::uint32_t kRings = 8;
 constexpr double kRadius = 1;
 constexpr std::uint32_t kTextureSide = 8;
 
-const std::array<MaterialScene, 11>& materialTable() {
-  static const std::array<MaterialScene, 11> table{{
+void lightBySun(scene::Scene& scene) {
+  scene.environment = environment::makeEnvironment({.source = "sun:35,20,3"}, scene.up);
+}
+
+scene::Material materialOf(const scene::SurfaceParameters& surface) {
+  scene::Material material;
+  material.surface = surface;
+  return material;
+}
+
+scene::Material roughPlastic() {
+  constexpr float kRoughness = 0.5f, kIor = 1.5f;
+  return materialOf({.baseColour = {0.7f, 0.2f, 0.1f},
+                     .roughness = kRoughness,
+                     .ior = kIor,
+                     .plastic = scene::makePlastic(scene::Interface::ggx, kRoughness, kIor, true)});
+}
+
+scene::Material roughConductor() {
+  return materialOf({.metalness = 1,
+                     .roughness = 0.5f,
+                     .conductor = scene::Conductor{{0.2f, 0.92f, 1.1f}, {3.91f, 2.45f, 2.14f}},
+                     .bareInterface = scene::Interface::beckmann});
+}
+
+// Rays choose it or the plastic in equal parts.
+void chooseMaterials(scene::Scene& scene) {
+  const auto first = static_cast<std::uint32_t>(scene.materials.size());
+  scene.materials.insert(scene.materials.end(), {roughPlastic(), roughConductor()});
+  scene::Material either;
+  either.choice = scene::MaterialChoice{first, first + 1, 0.5f};
+  scene.materials[kBall] = either;
+}
+
+void makeBumps(scene::Scene& scene) {
+  scene::Material& floor = scene.materials[kFloor];
+  floor.normalScale = 0.4f;
+  floor.hasHeights = true;
+  floor.hasFacets = false;
+}
+
+const std::array<MaterialScene, 16>& materialTable() {
+  static const std::array<MaterialScene, 16> table{{
       {.name = "plastic", .factors = {.colour = {0.75, 0.1, 0.1}, .roughness = 0.4}},
       {.name = "metal", .factors = {.colour = {1, 0.77, 0.34}, .metalness = 1, .roughness = 0.3}},
       {.name = "conductor",
@@ -55,8 +102,21 @@ const std::array<MaterialScene, 11>& materialTable() {
        .factors = {.colour = {0.05, 0.08, 0.2}, .roughness = 0.7, .sheen = {0.8, 0.7, 0.9}, .sheenRoughness = 0.4}},
       {.name = "thin_film",
        .factors = {.colour = {0.03, 0.03, 0.03}, .roughness = 0.2, .film = 1, .filmThickness = 550}},
-      {.name = "texture", .factors = {.colour = {0.8, 0.8, 0.8}}, .hasTexture = true},
-      {.name = "environment", .factors = {.colour = {0.8, 0.7, 0.6}, .roughness = 0.5}, .environment = "sun:35,20,3"},
+      {.name = "texture", .factors = {.colour = {0.8, 0.8, 0.8}}, .floorTexture = "baseColorTexture"},
+      {.name = "environment", .factors = {.colour = {0.8, 0.7, 0.6}, .roughness = 0.5}, .change = lightBySun},
+      {.name = "rough_plastic", .change = [](scene::Scene& scene) { scene.materials[kBall] = roughPlastic(); }},
+      {.name = "rough_dielectric",
+       .change =
+           [](scene::Scene& scene) {
+             scene.materials[kBall] = materialOf({.roughness = 0.5f,
+                                                  .ior = 1.5f,
+                                                  .transmissionWeight = 1,
+                                                  .isThinWalled = false,
+                                                  .bareInterface = scene::Interface::ggx});
+           }},
+      {.name = "rough_conductor", .change = [](scene::Scene& scene) { scene.materials[kBall] = roughConductor(); }},
+      {.name = "choice", .change = chooseMaterials},
+      {.name = "bump_map", .floorTexture = kNormalTexture, .change = makeBumps},
   }};
   return table;
 }
@@ -81,9 +141,9 @@ std::string textOf(const MaterialScene& scene) {
   const std::size_t ball = document.addShape(generate::lathe(generate::sphereProfile(kRadius, kRings), 2 * kRings));
   const std::size_t floor = document.addShape(generate::square(4, 3));
   generate::GltfDocument::Json floorMaterial = generate::gltfMaterial({.colour = {0.6, 0.6, 0.55}, .roughness = 1});
-  if (scene.hasTexture) {
+  if (const std::string_view member = scene.floorTexture; !member.empty()) {
     const std::size_t texture = document.addTexture(kTextureSide, kTextureSide, texturePixels());
-    floorMaterial["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", texture}};
+    (member == kNormalTexture ? floorMaterial : floorMaterial["pbrMetallicRoughness"])[member] = {{"index", texture}};
   }
   document.addNode(ball, document.addMaterial(generate::gltfMaterial(scene.factors)), {0, kRadius, 0});
   document.addNode(floor, document.addMaterial(floorMaterial), {0, 0, 0});
@@ -114,9 +174,7 @@ scene::Scene makeScene(const std::string& name) {
   const MaterialScene* const material = materialScene(name);
   if (material == nullptr) throw InternalError(fmt::format("there is no built-in scene {}", name));
   scene::Scene scene = read(textOf(*material), name);
-  if (!material->environment.empty()) {
-    scene.environment = environment::makeEnvironment({.source = std::string(material->environment)}, scene.up);
-  }
+  material->change(scene);
   return scene;
 }
 

@@ -8,7 +8,8 @@
 
 namespace candela::conformance {
 
-/// Names of materials of glTF. The scene of each is a ball of this material on a textured or plain floor.
+/// Names of materials, most of them of glTF. The scene of each is a ball of this material on a floor, or the floor has
+/// what the name states.
 std::vector<std::string_view> materialNames();
 
 /// Returns the scene: "cornell", "primitives" or "depth_of_field" of scenes/, "terrain" (a mesh), or a name of
