@@ -24,6 +24,8 @@ constexpr double kMaxDivisions = 1e6;
 constexpr double kTie = 1e-9;
 // The noise of a group counts as at least this fraction of that of the other one.
 constexpr double kMinNoiseRatio = 1e-6;
+// Standardised values keep a difference of the means of at most so many standard errors: a larger one is no noise.
+constexpr double kMaxKeptDifference = 2;
 
 // SplitMix64 with a state of its own for every division.
 class Random {
@@ -113,7 +115,10 @@ class CentredRows {
     squares_.assign(quantities + kLanes, 0);
     noise_.resize(quantities + kLanes);
     for (std::size_t q = 0; q < quantities; ++q) {
-      if (exchanged == Exchanged::standardised) noise_[q] = noiseOf(a, b, q);
+      if (exchanged == Exchanged::standardised) {
+        noise_[q] = noiseOf(a, b, q);
+        limitDifference(q);
+      }
       centre(q);
     }
     for (auto& row : rows_) row.resize(quantities + kLanes);
@@ -125,6 +130,15 @@ class CentredRows {
   const Noise& noise(std::size_t quantity) const { return noise_[quantity]; }
 
  private:
+  void limitDifference(std::size_t q) {
+    const auto n = static_cast<double>(countA_), m = static_cast<double>(rows_.size() - countA_);
+    double difference = 0;
+    for (std::size_t i = 0; i < rows_.size(); ++i) difference += i < countA_ ? rows_[i][q] / n : -rows_[i][q] / m;
+    const double most = kMaxKeptDifference * std::hypot(noise_[q].a / std::sqrt(n), noise_[q].b / std::sqrt(m));
+    const double excess = difference - std::clamp(difference, -most, most);
+    for (std::size_t i = 0; i < countA_; ++i) rows_[i][q] -= excess;
+  }
+
   void centre(std::size_t q) {
     double sum = 0, weights = 0;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
