@@ -61,7 +61,7 @@ PICTURES_OF_PAGE = [
             "material-table --size 48", 48, size="400x480", options=["--env", "sun:40,200,4"]),
     Picture("mitsuba", "Materials of Mitsuba",
             "Rough gold, plastic, rough glass, a blend of plastic and silver, and rougher copper, on plastic with a bump map: a scene file of Mitsuba 3.",
-            "docs/gallery/materials_of_mitsuba.xml", 96, size="480x240", display=["--exposure", "-0.4", "--tonemap", "agx"]),
+            "docs/gallery/materials_of_mitsuba.xml", 256, size="480x240", display=["--exposure", "-0.4", "--tonemap", "agx"]),
     Picture("brilliants", "Brilliants between lamps",
             "Three stones of a diamond's index of refraction: without dispersion, with that of diamond, with that of rutile.",
             "brilliants", 128, size="480x200", display=["--exposure", "-1", "--tonemap", "agx"]),
