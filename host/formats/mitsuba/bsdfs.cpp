@@ -192,7 +192,7 @@ void Bsdfs::setRoughness(const Object& bsdf, scene::Material& material) {
   std::array<Numbers, 2> alphas{textures_.readNumbers(bsdf, "alpha_u", 0.1),
                                 textures_.readNumbers(bsdf, "alpha_v", 0.1)};
   putOnOneGrid(bsdf, alphas);
-  const auto& [u, v] = alphas;
+  const Numbers &u = alphas[0], &v = alphas[1];
   setMicrofacets(
       bsdf, u, u.name + ' ' + v.name, [&](std::size_t i) { return glm::dvec3(u.at(i), v.at(i), 1); }, material);
 }
@@ -358,7 +358,7 @@ Bsdf Bsdfs::principled(const Object& bsdf) {
                                  textures_.readNumbers(bsdf, "anisotropic", 0),
                                  textures_.readNumbers(bsdf, "metallic", 0)};
   putOnOneGrid(bsdf, numbers);
-  const auto& [roughness, anisotropic, metallic] = numbers;
+  const Numbers &roughness = numbers[0], &anisotropic = numbers[1], &metallic = numbers[2];
   surface.metalness = metallic.use ? 1 : static_cast<float>(std::clamp(metallic.at(0), 0.0, 1.0));
   result.material.surface = surface;
   const std::string name = fmt::format("principled {} {} {}", roughness.name, anisotropic.name, metallic.name);

@@ -149,7 +149,8 @@ TEST_CASE(
   constexpr std::uint32_t kSide = 8;
   constexpr double kDistance = 2;
   const dvec2 edge(3.3, 4.6), shift(0.25, -0.15);  // in pixels from the upper left corner, and in parts of the picture
-  for (const auto& [isParallel, isMirrored] : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+  for (const auto& view : {std::pair(false, false), {true, false}, {false, true}, {true, true}}) {
+    const bool isParallel = view.first, isMirrored = view.second;
     SceneBuilder b = cameraOf(40);
     b.scene.camera->isMirrored = isMirrored;
     b.scene.camera->shift = glm::vec2(shift);
