@@ -25,7 +25,7 @@ json toJson(const Camera& camera) {
               {"aperture", camera.aperture},
               {"focal", camera.focal},
               {"shift", {camera.shift.x, camera.shift.y}},
-              {"isMirrored", camera.isMirrored}};
+              {"mirrored", camera.isMirrored}};
   if (camera.orthographicHeight) {
     object.erase("angle");
     object["orthographicHeight"] = *camera.orthographicHeight;
