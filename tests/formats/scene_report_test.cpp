@@ -122,11 +122,11 @@ TEST_CASE("JSON holds the same figures under lowerCamel keys") {
         std::string::npos);
   CHECK(json["camera"]["shift"] == nlohmann::json({0, 0}));
   CHECK(toText(makeReport(loaded)).find("shift") == std::string::npos);
-  CHECK(json["camera"]["isMirrored"] == false);
+  CHECK(json["camera"]["mirrored"] == false);
   requesting.scene.camera->isMirrored = true;
   requesting.scene.camera->shift = {0.5f, -0.25f};
   CHECK(toJson(makeReport(requesting))["camera"]["shift"] == nlohmann::json({0.5, -0.25}));
-  CHECK(toJson(makeReport(requesting))["camera"]["isMirrored"] == true);
+  CHECK(toJson(makeReport(requesting))["camera"]["mirrored"] == true);
   CHECK(toText(makeReport(requesting)).find(", shift 0.5 -0.25, mirrored\n") != std::string::npos);
   const nlohmann::json bare = toJson(makeReport(load("pl 0 0 0 1 0 0 0 1 0\n")));
   CHECK(bare["requestedAccel"].is_null());

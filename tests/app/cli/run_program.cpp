@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <sstream>
 #include <stdexcept>
@@ -31,8 +32,14 @@ pid_t spawn(const std::string& program, const std::vector<std::string>& words, c
   append(arguments, words);
   arguments.push_back(nullptr);
   std::vector<char*> environment;
-  append(environment, added);  // first, since getenv takes the first of a name
-  for (char** entry = environ; *entry != nullptr; ++entry) environment.push_back(*entry);
+  append(environment, added);
+  const auto isReplaced = [&](const std::string& entry) {
+    const std::string name = entry.substr(0, entry.find('=') + 1);
+    return std::ranges::any_of(added, [&](const std::string& other) { return other.starts_with(name); });
+  };
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!isReplaced(*entry)) environment.push_back(*entry);
+  }
   environment.push_back(nullptr);
 
   posix_spawn_file_actions_t actions;
