@@ -8,24 +8,22 @@
 #include "host/image/film.h"
 
 namespace candela::environment {
-namespace {
 
-// In proportion to the solid angle of a texel of the row.
-double solidAngle(std::uint32_t row, const scene::Environment& environment) {
+double solidAngleOfRow(const scene::Environment& environment, std::uint32_t row) {
   const double pole = environment.offsetOfPoles(), rows = environment.height - 2 * pole;
   const double step = std::numbers::pi / rows;
   return std::cos(std::max(row - pole, 0.0) * step) - std::cos(std::min(row + 1 - pole, rows) * step);
 }
 
-}  // namespace
-
 void setWeights(scene::Environment& environment) {
   const std::size_t count = environment.texels.size();
   std::vector<double> sums(count);
-  double sum = 0;
+  double sum = 0, solidAngle = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto row = static_cast<std::uint32_t>(i / environment.width);
-    sum += image::luminance(glm::dvec3(environment.texels[i])) * solidAngle(row, environment);
+    if (i % environment.width == 0) {
+      solidAngle = solidAngleOfRow(environment, static_cast<std::uint32_t>(i / environment.width));
+    }
+    sum += image::luminance(glm::dvec3(environment.texels[i])) * solidAngle;
     sums[i] = sum;
   }
   environment.weights.assign(count, 0);

@@ -4,6 +4,9 @@
 
 namespace candela::environment {
 
+/// Returns the solid angle of each texel of a row, up to a factor that all rows of the map share.
+double solidAngleOfRow(const scene::Environment& environment, std::uint32_t row);
+
 /// Sets the weights in proportion to luminance times solid angle.
 void setWeights(scene::Environment& environment);
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host/image/film.h"
+#include "host/scene/environment/weights.h"
 #include "host/scene/placed_bounds.h"
 #include "host/scene/shape.h"
 
@@ -72,11 +73,9 @@ double squaredRadius(const scene::Scene& scene) {
 }
 
 double meanLuminance(const scene::Environment& environment) {
-  const double pole = environment.offsetOfPoles(), rows = environment.height - 2 * pole;
-  const double step = std::numbers::pi / rows;
   double sum = 0, solidAngle = 0;
   for (std::uint32_t row = 0; row < environment.height; ++row) {
-    const double texel = std::cos(std::max(row - pole, 0.0) * step) - std::cos(std::min(row + 1 - pole, rows) * step);
+    const double texel = environment::solidAngleOfRow(environment, row);
     double luminance = 0;
     for (std::uint32_t column = 0; column < environment.width; ++column) {
       luminance += image::luminance(dvec3(environment.texels[std::size_t{row} * environment.width + column]));

@@ -67,9 +67,12 @@ double meanLuminance(const scene::Environment& environment) {
     return std::cos(std::numbers::pi * std::clamp((t - pole) / (environment.height - 2 * pole), 0.0, 1.0));
   };
   double sum = 0;
-  for (std::size_t i = 0; i < environment.texels.size(); ++i) {
-    const double row = static_cast<double>(i / environment.width);
-    sum += (heightOf(row) - heightOf(row + 1)) / 2 * image::luminance(dvec3(environment.texels[i]));
+  for (std::size_t row = 0; row < environment.height; ++row) {
+    const auto top = static_cast<double>(row);
+    const double fraction = (heightOf(top) - heightOf(top + 1)) / 2;
+    for (std::size_t column = 0; column < environment.width; ++column) {
+      sum += fraction * image::luminance(dvec3(environment.texels[row * environment.width + column]));
+    }
   }
   return sum / environment.width;
 }
